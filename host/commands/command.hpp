@@ -1,0 +1,35 @@
+// A subcommand of the program: a row of the table in main.cpp.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "host/error.hpp"
+
+namespace brdftab {
+
+/// Options that every command has.
+struct CommonOptions {
+  bool quiet = false;
+  /// The command line, for a table's history.
+  std::string command_line;
+};
+
+/// Adds a command's options to its parser, and returns what runs it once they are parsed.
+using Command = std::function<ExitStatus()> (*)(CLI::App& parser, const CommonOptions& common);
+
+std::function<ExitStatus()> generate_command(CLI::App&, const CommonOptions&);
+std::function<ExitStatus()> evaluate_command(CLI::App&, const CommonOptions&);
+std::function<ExitStatus()> info_command(CLI::App&, const CommonOptions&);
+std::function<ExitStatus()> devices_command(CLI::App&, const CommonOptions&);
+std::function<ExitStatus()> parameters_command(CLI::App&, const CommonOptions&);
+
+void add_device_option(CLI::App& parser, std::optional<std::string>& device);
+
+/// A warning, on standard error, unless quiet.
+void say(const CommonOptions& common, const std::string& line);
+
+}  // namespace brdftab

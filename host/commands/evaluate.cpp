@@ -1,0 +1,115 @@
+#include "host/evaluate.hpp"
+
+#include <cmath>
+#include <fstream>
+#include <iostream>
+
+#include "host/commands/command.hpp"
+#include "host/numbers.hpp"
+#include "host/partial_file.hpp"
+
+namespace brdftab {
+namespace {
+
+struct Options {
+  std::string material;
+  std::string pairs = "-";
+  std::string output;
+  std::string engine = "opencl";
+  std::string precision;
+  std::optional<std::string> device;
+  bool force = false;
+};
+
+std::vector<DirectionPair> read_pairs(const std::string& file, std::string& source) {
+  if (file == "-") {
+    source = "standard input";
+    return read_directions(std::cin, source);
+  }
+  source = file;
+  std::ifstream in(file);
+  if (!in) throw FileError("{}: cannot be opened: {}", file, std::generic_category().message(errno));
+  auto pairs = read_directions(in, source);
+  if (in.bad()) throw FileError("{}: cannot be read", file);
+  return pairs;
+}
+
+void check_finite(const Material& material, const Band& band, std::span<const DirectionPair> pairs,
+                  std::span<const PolarizedBrdf> values, const std::string& source) {
+  for (std::size_t k = 0; k < pairs.size(); ++k)
+    if (!std::isfinite(values[k].s) || !std::isfinite(values[k].p))
+      throw BadInput("{}:{}: brdf of {} is not finite at theta_i = {}, theta_s = {}, phi = {} degrees: rho_surface = {}, rho_bulk "
+                     "= {}, rho_retro = {}, w = {} and n = {} make a lobe too narrow there",
+                     source, pairs[k].line, material.name(), shortest(pairs[k].theta_i), shortest(pairs[k].theta_s),
+                     shortest(pairs[k].phi), shortest(band.parameters.rho_surface), shortest(band.parameters.rho_bulk),
+                     shortest(band.parameters.rho_retro), shortest(band.parameters.w), shortest(band.parameters.n));
+}
+
+std::string table_text(const Material& material, std::span<const DirectionPair> pairs,
+                       const std::vector<std::vector<PolarizedBrdf>>& values, int digits) {
+  fmt::memory_buffer text;
+  const auto out = std::back_inserter(text);
+  const bool bands = material.has_wavelengths();
+  fmt::format_to(out, "{}theta_i_deg,theta_s_deg,phi_deg,brdf_s,brdf_p,brdf\n", bands ? "wavelength_nm," : "");
+  for (std::size_t b = 0; b < values.size(); ++b)
+    for (std::size_t k = 0; k < pairs.size(); ++k) {
+      if (bands) fmt::format_to(out, "{},", shortest(*material.bands()[b].wavelength_nm));
+      fmt::format_to(out, "{},{},{},{:.{}g},{:.{}g},{:.{}g}\n", shortest(pairs[k].theta_i), shortest(pairs[k].theta_s),
+                     shortest(pairs[k].phi), values[b][k].s, digits, values[b][k].p, digits, values[b][k].unpolarized(), digits);
+    }
+  return fmt::to_string(text);
+}
+
+ExitStatus run(const Options& options) {
+  const Material material = Material::read(options.material);
+  if (options.material == "-" && options.pairs == "-") throw BadInput("MATERIAL and PAIRS cannot both be standard input");
+  if (options.engine == "reference" && options.precision == "float32")
+    throw BadInput("--engine reference computes in float64 only");
+  std::optional<PartialFile> file;
+  if (!options.output.empty()) file.emplace(options.output, options.force);
+  std::string source;
+  const auto pairs = read_pairs(options.pairs, source);
+  std::vector<std::vector<PolarizedBrdf>> values;
+  int digits = 17;
+  if (options.engine == "reference") {
+    for (const Band& band : material.bands()) values.push_back(evaluate_reference(band, material.switches(), pairs));
+  } else {
+    const Device device = select_device(options.device);
+    const Precision working = options.precision.empty()       ? Engine::widest(device)
+                              : options.precision == "float32" ? Precision::float32
+                                                               : Precision::float64;
+    const Engine engine(device, working, Precision::float32);
+    for (const Band& band : material.bands()) values.push_back(evaluate(engine, band, material.switches(), pairs));
+    digits = working == Precision::float64 ? 17 : 9;
+  }
+  for (std::size_t b = 0; b < values.size(); ++b) check_finite(material, material.bands()[b], pairs, values[b], source);
+  const std::string text = table_text(material, pairs, values, digits);
+  if (!file) {
+    std::fwrite(text.data(), 1, text.size(), stdout);
+    return ExitStatus::done;
+  }
+  std::ofstream out(file->path(), std::ios::binary);
+  out << text;
+  out.close();
+  if (!out) throw FileError("{}: cannot be written: {}", options.output, std::generic_category().message(errno));
+  file->commit();
+  return ExitStatus::done;
+}
+
+}  // namespace
+
+std::function<ExitStatus()> evaluate_command(CLI::App& parser, const CommonOptions&) {
+  auto options = std::make_shared<Options>();
+  parser.add_option("MATERIAL", options->material, "Material file (TOML)")->required();
+  parser.add_option("PAIRS", options->pairs,
+                    "CSV with the columns theta_i_deg, theta_s_deg, phi_deg (or phi_s_deg), in degrees; default: standard input");
+  parser.add_option("-o,--output", options->output, "CSV file to write; default: standard output");
+  parser.add_option("--engine", options->engine, "opencl, or reference: the scalar code")->check(CLI::IsMember({"opencl", "reference"}));
+  parser.add_option("--precision", options->precision, "Arithmetic of the kernels: float64 (default where the device has it) or float32")
+      ->check(CLI::IsMember({"float32", "float64"}));
+  parser.add_flag("--force", options->force, "Overwrite an existing output");
+  add_device_option(parser, options->device);
+  return [options] { return run(*options); };
+}
+
+}  // namespace brdftab

@@ -1,0 +1,160 @@
+#include "host/generate.hpp"
+
+#include <fmt/chrono.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <ctime>
+
+#include "host/commands/command.hpp"
+#include "host/hdf5_table.hpp"
+#include "host/numbers.hpp"
+
+namespace brdftab {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options {
+  std::vector<std::string> materials;
+  std::string output;
+  std::string format;
+  std::optional<std::string> axes[4];
+  std::string polarization = "unpolarized";
+  std::string precision = "float32";
+  std::optional<std::string> device;
+  bool force = false;
+};
+
+struct FormatRow {
+  std::string_view name;
+  std::vector<std::string_view> extensions;
+  CreateTable create;
+};
+
+const std::vector<FormatRow>& format_table() {
+  static const std::vector<FormatRow> table{{"hdf5", {".h5", ".hdf5", ".nc"}, create_hdf5_table}};
+  return table;
+}
+
+std::string known_formats() {
+  std::vector<std::string> rows;
+  for (const auto& row : format_table()) rows.push_back(fmt::format("{} ({})", row.name, fmt::join(row.extensions, ", ")));
+  return fmt::format("{}", fmt::join(rows, "; "));
+}
+
+const FormatRow& find_format(const Options& options, bool folder) {
+  if (!options.format.empty()) {
+    for (const auto& row : format_table())
+      if (row.name == options.format) return row;
+    throw BadInput("--format {}: unknown; there is {}", excerpt(options.format), known_formats());
+  }
+  if (folder) return format_table().front();
+  const std::string extension = fs::path(options.output).extension().string();
+  for (const auto& row : format_table())
+    if (std::find(row.extensions.begin(), row.extensions.end(), extension) != row.extensions.end()) return row;
+  throw BadInput("-o {}: the extension names no format; there is {}", excerpt(options.output), known_formats());
+}
+
+std::vector<Polarization> polarizations(const std::string& name) {
+  if (name == "s") return {Polarization::s};
+  if (name == "p") return {Polarization::p};
+  if (name == "all") return {Polarization::unpolarized, Polarization::s, Polarization::p};
+  return {Polarization::unpolarized};
+}
+
+std::string option_name(const AxisRow& row) {
+  std::string name = fmt::format("--{}", row.name);
+  std::replace(name.begin(), name.end(), '_', '-');
+  return name;
+}
+
+Grid grid_for(const Material& material, const Options& options) {
+  Grid grid = material.grid();
+  for (const auto& row : axis_table)
+    if (const auto& text = options.axes[static_cast<std::size_t>(row.kind)]) {
+      try {
+        grid[row.kind] = Axis::parse(row.kind, *text);
+      } catch (const BadInput& error) {
+        throw BadInput("{} {}: {}", option_name(row), excerpt(*text), error.what());
+      }
+    }
+  return grid;
+}
+
+std::string history(const CommonOptions& common) {
+  // A fixed epoch, as reproducible builds set it, makes the same table byte for byte.
+  const char* epoch = std::getenv("SOURCE_DATE_EPOCH");
+  const std::time_t now = epoch ? static_cast<std::time_t>(std::strtoll(epoch, nullptr, 10)) : std::time(nullptr);
+  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ} {}", fmt::gmtime(now), common.command_line);
+}
+
+// What a material's table is called in a folder: the material file's name, with the format's extension.
+fs::path file_in_folder(const fs::path& folder, const std::string& material, const FormatRow& format) {
+  const std::string name = material == "-" ? "material" : fs::path(material).stem().string();
+  return folder / (name + std::string(format.extensions.front()));
+}
+
+ExitStatus run(const Options& options, const CommonOptions& common) {
+  const bool folder = options.materials.size() > 1 || options.output.ends_with('/') || fs::is_directory(options.output);
+  const FormatRow& format = find_format(options, folder);
+  if (folder && !fs::is_directory(options.output))
+    throw FileError("{}: the folder does not exist{}", options.output,
+                    options.output.ends_with('/') ? "" : "; several materials need -o FOLDER/");
+  struct Task {
+    Material material;
+    Grid grid;
+    fs::path target;
+  };
+  // Everything that can be refused is refused before the first table is begun.
+  std::vector<Task> tasks;
+  for (const auto& file : options.materials) {
+    Material material = Material::read(file);
+    const fs::path target = folder ? file_in_folder(options.output, file, format) : fs::path(options.output);
+    for (const Task& other : tasks)
+      if (other.target == target) throw BadInput("{}: two materials would both be written to {}", file, target.string());
+    if (!options.force && fs::exists(fs::symlink_status(target)))
+      throw FileError("{}: exists; --force overwrites it", target.string());
+    Grid grid = grid_for(material, options);
+    tasks.push_back({std::move(material), std::move(grid), target});
+  }
+  const Device device = select_device(options.device);
+  const Precision precision = options.precision == "float64" ? Precision::float64 : Precision::float32;
+  const Engine engine(device, Engine::widest(device), precision);
+  GenerateOptions generate_options;
+  generate_options.polarizations = polarizations(options.polarization);
+  generate_options.quiet = common.quiet;
+  generate_options.force = options.force;
+  generate_options.history = history(common);
+  for (const Task& task : tasks) {
+    const auto summary = generate(engine, task.material, task.grid, task.target, format.create, generate_options);
+    say(common, fmt::format("{}: {} samples, {:.3g} MB in {:.2f} s; largest relative error at {} nodes checked against the scalar "
+                            "reference {:.1e}",
+                            task.target.string(), summary.samples, static_cast<double>(summary.bytes) / 1e6, summary.seconds,
+                            summary.accuracy.nodes, summary.accuracy.max_relative_error));
+  }
+  return ExitStatus::done;
+}
+
+}  // namespace
+
+std::function<ExitStatus()> generate_command(CLI::App& parser, const CommonOptions& common) {
+  auto options = std::make_shared<Options>();
+  parser.add_option("MATERIAL", options->materials, "Material files (TOML); several need -o FOLDER/")->required();
+  parser.add_option("-o,--output", options->output, "Table file, or a folder")->required();
+  parser.add_option("--format", options->format, fmt::format("Format, where the extension does not tell: {}", known_formats()));
+  for (const auto& row : axis_table)
+    parser.add_option(option_name(row), options->axes[static_cast<std::size_t>(row.kind)],
+                      fmt::format("{}, degrees: start:stop:step, both ends included, or angles separated by commas; default: "
+                                  "the material's, or {}",
+                                  row.long_name, row.default_text));
+  parser.add_option("--polarization", options->polarization, "unpolarized (default), s, p, or all: the three")
+      ->check(CLI::IsMember({"unpolarized", "s", "p", "all"}));
+  parser.add_option("--precision", options->precision, "Samples as float32 (default) or float64")
+      ->check(CLI::IsMember({"float32", "float64"}));
+  parser.add_flag("--force", options->force, "Overwrite an existing table");
+  add_device_option(parser, options->device);
+  return [options, &common] { return run(*options, common); };
+}
+
+}  // namespace brdftab

@@ -1,0 +1,116 @@
+#include "host/engine.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+#include "host/error.hpp"
+#include "host/kernel_constants.hpp"
+#include "host/kernel_source.hpp"
+
+namespace brdftab {
+namespace {
+
+template <class Struct>
+std::vector<std::byte> bytes(const Struct& value) {
+  std::vector<std::byte> result(sizeof(Struct));
+  std::memcpy(result.data(), &value, sizeof(Struct));
+  return result;
+}
+
+// Work-items along x in a work-group: a whole row where the device allows it, which PoCL vectorises best.
+std::size_t row_group(const Device& device, std::size_t x) {
+  const std::size_t longest = std::min<std::size_t>(device.largest_work_group, device.is_gpu ? 256 : 1024);
+  return std::min(x, longest);
+}
+
+}  // namespace
+
+KernelMaterial::KernelMaterial(const Parameters& parameters, const ModelSwitches& switches, Precision working)
+    : constants_(working == Precision::float64
+                     ? bytes(material_constants<kernel_f64::MaterialConstants>(parameters))
+                     : bytes(material_constants<kernel_f32::MaterialConstants>(parameters))),
+      variant_(bytes(model_variant<kernel_f64::ModelVariant>(switches))) {}
+
+void KernelMaterial::set(cl::Kernel& kernel, cl_uint first, bool with_variant) const {
+  kernel.setArg(first, constants_.size(), constants_.data());
+  if (with_variant) kernel.setArg(first + 1, variant_.size(), variant_.data());
+}
+
+Engine::Engine(Device device, Precision working, Precision table)
+    : device_(std::move(device)), working_(working), table_(table) {
+  if ((working == Precision::float64 || table == Precision::float64) && !device_.has_fp64)
+    throw Error(ExitStatus::device, "{} has no fp64: it takes --precision float32 only", device_.name);
+  build_options_ = fmt::format("-cl-std=CL1.2 -DBRDFTAB_WORKING_DOUBLE={} -DBRDFTAB_TABLE_DOUBLE={}",
+                               working == Precision::float64 ? 1 : 0, table == Precision::float64 ? 1 : 0);
+  if (device_.handle.getInfo<CL_DEVICE_SINGLE_FP_CONFIG>() & CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT)
+    build_options_ += " -cl-fp32-correctly-rounded-divide-sqrt";
+  context_ = cl::Context(device_.handle);
+  queue_ = cl::CommandQueue(context_, device_.handle);
+  program_ = cl::Program(context_, std::string(kernel_source));
+  try {
+    program_.build({device_.handle}, build_options_.c_str());
+  } catch (const cl::BuildError& error) {
+    std::string log;
+    for (const auto& [built_for, text] : error.getBuildLog()) log += text;
+    throw Error(ExitStatus::device, "the kernels do not build on {} with {}:\n{}", device_.description(), build_options_, log);
+  }
+}
+
+cl::Buffer Engine::buffer(std::size_t bytes) const {
+  return cl::Buffer(context_, CL_MEM_READ_WRITE, std::max<std::size_t>(bytes, 1));
+}
+
+cl::Buffer Engine::upload(std::span<const double> values) const {
+  cl::Buffer result = buffer(values.size() * bytes_of(working_));
+  if (values.empty()) return result;
+  if (working_ == Precision::float64) {
+    queue_.enqueueWriteBuffer(result, CL_TRUE, 0, values.size_bytes(), values.data());
+  } else {
+    const std::vector<float> narrow(values.begin(), values.end());
+    queue_.enqueueWriteBuffer(result, CL_TRUE, 0, narrow.size() * sizeof(float), narrow.data());
+  }
+  return result;
+}
+
+cl::Buffer Engine::upload(std::span<const int> values) const {
+  cl::Buffer result = buffer(values.size_bytes());
+  if (!values.empty()) queue_.enqueueWriteBuffer(result, CL_TRUE, 0, values.size_bytes(), values.data());
+  return result;
+}
+
+std::vector<double> Engine::download(const cl::Buffer& buffer, std::size_t count) const {
+  std::vector<double> values(count);
+  if (count == 0) return values;
+  if (working_ == Precision::float64) {
+    queue_.enqueueReadBuffer(buffer, CL_TRUE, 0, count * sizeof(double), values.data());
+  } else {
+    std::vector<float> narrow(count);
+    queue_.enqueueReadBuffer(buffer, CL_TRUE, 0, count * sizeof(float), narrow.data());
+    std::copy(narrow.begin(), narrow.end(), values.begin());
+  }
+  return values;
+}
+
+std::vector<int> Engine::download_ints(const cl::Buffer& buffer, std::size_t count) const {
+  std::vector<int> values(count);
+  if (count > 0) queue_.enqueueReadBuffer(buffer, CL_TRUE, 0, count * sizeof(int), values.data());
+  return values;
+}
+
+void Engine::run(const cl::Kernel& kernel, std::array<std::size_t, 3> size) const {
+  const auto [x, y, z] = size;
+  const std::size_t group = row_group(device_, x);
+  const std::size_t even = x - x % group;
+  queue_.enqueueNDRangeKernel(kernel, {0, 0, 0}, {even, y, z}, {group, 1, 1});
+  if (even < x) queue_.enqueueNDRangeKernel(kernel, {even, 0, 0}, {x - even, y, z}, {x - even, 1, 1});
+}
+
+void Engine::run_groups(const cl::Kernel& kernel, std::size_t size, std::size_t group) const {
+  queue_.enqueueNDRangeKernel(kernel, cl::NullRange, {size}, {group});
+}
+
+void Engine::run_small(const cl::Kernel& kernel, std::array<std::size_t, 3> size) const {
+  queue_.enqueueNDRangeKernel(kernel, {0, 0, 0}, {size[0], size[1], size[2]});
+}
+
+}  // namespace brdftab

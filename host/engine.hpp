@@ -1,0 +1,78 @@
+// A device with the kernels built for it: one program for each pair of working and table precision.
+#pragma once
+
+#include <array>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "host/device.hpp"
+#include "host/parameters.hpp"
+#include "host/precision.hpp"
+
+namespace brdftab {
+
+/// A material as kernel arguments, in an engine's working precision.
+class KernelMaterial {
+ public:
+  KernelMaterial(const Parameters&, const ModelSwitches&, Precision working);
+  /// Sets the arguments MaterialConstants and, if wanted, ModelVariant from `first` on.
+  void set(cl::Kernel& kernel, cl_uint first, bool with_variant = true) const;
+
+ private:
+  std::vector<std::byte> constants_;
+  std::vector<std::byte> variant_;
+};
+
+class Engine {
+ public:
+  /// Builds the kernels. Throws Error (exit status 3): a float64 table on a device without fp64, or a failed
+  /// build, with its log.
+  Engine(Device device, Precision working, Precision table);
+
+  /// The working precision that a device allows.
+  static Precision widest(const Device& device) { return device.has_fp64 ? Precision::float64 : Precision::float32; }
+
+  const Device& device() const { return device_; }
+  Precision working() const { return working_; }
+  Precision table() const { return table_; }
+  const std::string& build_options() const { return build_options_; }
+  const cl::Context& context() const { return context_; }
+  const cl::CommandQueue& queue() const { return queue_; }
+
+  cl::Kernel kernel(const char* name) const { return cl::Kernel(program_, name); }
+
+  /// An uninitialised buffer; at least one byte long.
+  cl::Buffer buffer(std::size_t bytes) const;
+  /// A buffer of numbers in the working precision.
+  cl::Buffer upload(std::span<const double> values) const;
+  cl::Buffer upload(std::span<const int> values) const;
+  /// Reads numbers in the working precision; waits for the queue.
+  std::vector<double> download(const cl::Buffer& buffer, std::size_t count) const;
+  std::vector<int> download_ints(const cl::Buffer& buffer, std::size_t count) const;
+
+  /// Enqueues a range; x is the fastest dimension, and work-groups run along it.
+  void run(const cl::Kernel& kernel, std::array<std::size_t, 3> size) const;
+  /// A one-dimensional range in work-groups of `group`, which must divide it.
+  void run_groups(const cl::Kernel& kernel, std::size_t size, std::size_t group) const;
+  /// A range with the driver's choice of work-group, for small ranges: PoCL compiles a kernel anew for each new one.
+  void run_small(const cl::Kernel& kernel, std::array<std::size_t, 3> size) const;
+
+ private:
+  Device device_;
+  Precision working_;
+  Precision table_;
+  std::string build_options_;
+  cl::Context context_;
+  cl::CommandQueue queue_;
+  cl::Program program_;
+};
+
+/// Sets a kernel's arguments in order. A kernel does not keep its buffers: they must live until it is enqueued.
+template <class... Args>
+void set_arguments(cl::Kernel& kernel, const Args&... arguments) {
+  cl_uint index = 0;
+  (kernel.setArg(index++, arguments), ...);
+}
+
+}  // namespace brdftab

@@ -1,0 +1,68 @@
+#include "host/generate.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+#include "host/interrupt.hpp"
+#include "host/partial_file.hpp"
+#include "host/plan.hpp"
+#include "host/progress.hpp"
+#include "host/slab_ring.hpp"
+#include "host/spot_check.hpp"
+
+namespace brdftab {
+
+GenerateSummary generate(const Engine& engine, const Material& material, const Grid& grid,
+                         const std::filesystem::path& target, const CreateTable& create, const GenerateOptions& options) {
+  const auto start = std::chrono::steady_clock::now();
+  const std::size_t node_bytes = bytes_of(engine.table());
+  const std::size_t samples = grid.directions() * material.bands().size() * options.polarizations.size();
+  PartialFile file(target, options.force);
+  file.require_space(samples * node_bytes);
+
+  const TableContent content{.material = material,
+                             .grid = grid,
+                             .polarizations = options.polarizations,
+                             .precision = engine.table(),
+                             .working = engine.working(),
+                             .device = engine.device().description(),
+                             .build_options = engine.build_options(),
+                             .history = options.history};
+  const auto cuts = slabs(grid, std::max<std::size_t>(options.slab_bytes / node_bytes, 1));
+  const std::size_t largest =
+      std::max_element(cuts.begin(), cuts.end(), [](const Slab& a, const Slab& b) { return a.nodes() < b.nodes(); })->nodes();
+  TableFindings findings;
+  SpotCheck spot_check(content);
+  const auto writer = create(file.path(), content);
+  Progress progress(target.filename().string(), samples, node_bytes, options.quiet);
+  std::size_t done = 0;
+  {
+    SlabRing ring(engine, largest * node_bytes);
+    for (std::size_t band = 0; band < material.bands().size(); ++band) {
+      Plan plan(engine, material, material.bands()[band], grid);
+      for (std::size_t polarization = 0; polarization < options.polarizations.size(); ++polarization)
+        for (const Slab& slab : cuts) {
+          stop_if_interrupted();
+          plan.tabulate(slab, options.polarizations[polarization], ring.acquire());
+          const auto mapped = ring.map(slab.nodes() * node_bytes);
+          plan.check(slab, mapped);
+          spot_check.take(polarization, band, slab, mapped);
+          ring.submit([&writer, polarization, band, slab](std::span<const std::byte> bytes) {
+            writer->write(polarization, band, slab, bytes);
+          });
+          done += slab.nodes();
+          progress.report(done);
+        }
+      findings.integrals.push_back({plan.normalization()});
+    }
+    ring.drain();
+  }
+  findings.accuracy = spot_check.compare();
+  stop_if_interrupted();
+  writer->finish(findings);
+  file.commit();
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  return {samples, samples * node_bytes, elapsed.count(), findings.accuracy};
+}
+
+}  // namespace brdftab

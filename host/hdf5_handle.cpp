@@ -1,0 +1,83 @@
+#include "host/hdf5_handle.hpp"
+
+#include "host/error.hpp"
+
+namespace brdftab {
+namespace {
+
+// The deepest entry of HDF5's error stack is where it started.
+std::string innermost_cause() {
+  std::string cause;
+  H5Ewalk2(
+      H5E_DEFAULT, H5E_WALK_UPWARD,
+      [](unsigned, const H5E_error2_t* entry, void* text) -> herr_t {
+        auto& deepest = *static_cast<std::string*>(text);
+        if (deepest.empty() && entry->desc) deepest = entry->desc;
+        return 0;
+      },
+      &cause);
+  return cause.empty() ? "HDF5 gives no cause" : cause;
+}
+
+}  // namespace
+
+void hdf5_check(herr_t status, std::string_view what) {
+  if (status < 0) throw FileError("{}: {}", what, innermost_cause());
+}
+
+void hdf5_quiet() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
+
+Hdf5Handle::Hdf5Handle(hid_t id, std::string_view what) : id_(id) {
+  if (id < 0) throw FileError("{}: {}", what, innermost_cause());
+}
+
+void Hdf5Handle::close_quietly() noexcept {
+  if (id_ >= 0) H5Idec_ref(id_);
+  id_ = H5I_INVALID_HID;
+}
+
+void Hdf5Handle::close(std::string_view what) {
+  if (id_ < 0) return;
+  const int status = H5Idec_ref(std::exchange(id_, H5I_INVALID_HID));
+  hdf5_check(status < 0 ? -1 : 0, what);
+}
+
+void write_attribute(hid_t object, const std::string& name, std::string_view text) {
+  // Fixed-length strings: ncdump shows them as plain text, older CF tools read nothing else.
+  const Hdf5Handle type(H5Tcopy(H5T_C_S1), "string type");
+  hdf5_check(H5Tset_size(type, text.size() + 1), "string size");
+  hdf5_check(H5Tset_cset(type, H5T_CSET_UTF8), "string encoding");
+  const Hdf5Handle space(H5Screate(H5S_SCALAR), "attribute space");
+  const Hdf5Handle attribute(H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), "attribute " + name);
+  hdf5_check(H5Awrite(attribute, type, std::string(text).c_str()), "attribute " + name);
+}
+
+void write_attribute(hid_t object, const std::string& name, double value) {
+  const Hdf5Handle space(H5Screate(H5S_SCALAR), "attribute space");
+  const Hdf5Handle attribute(H5Acreate2(object, name.c_str(), H5T_IEEE_F64LE, space, H5P_DEFAULT, H5P_DEFAULT),
+                             "attribute " + name);
+  hdf5_check(H5Awrite(attribute, H5T_NATIVE_DOUBLE, &value), "attribute " + name);
+}
+
+void write_attribute(hid_t object, const std::string& name, std::span<const double> values) {
+  const hsize_t count = values.size();
+  const Hdf5Handle space(H5Screate_simple(1, &count, nullptr), "attribute space");
+  const Hdf5Handle attribute(H5Acreate2(object, name.c_str(), H5T_IEEE_F64LE, space, H5P_DEFAULT, H5P_DEFAULT),
+                             "attribute " + name);
+  hdf5_check(H5Awrite(attribute, H5T_NATIVE_DOUBLE, values.data()), "attribute " + name);
+}
+
+bool has_attribute(hid_t object, const std::string& name) { return H5Aexists(object, name.c_str()) > 0; }
+
+std::string read_text_attribute(hid_t object, const std::string& name) {
+  const Hdf5Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), "attribute " + name);
+  const Hdf5Handle type(H5Aget_type(attribute), "attribute " + name);
+  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0)
+    throw FileError("attribute {} is not a fixed-length string", name);
+  std::string text(H5Tget_size(type), '\0');
+  hdf5_check(H5Aread(attribute, type, text.data()), "attribute " + name);
+  text.resize(text.find('\0') == std::string::npos ? text.size() : text.find('\0'));
+  return text;
+}
+
+}  // namespace brdftab

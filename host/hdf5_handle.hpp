@@ -1,0 +1,49 @@
+// HDF5 identifiers that close themselves, and calls that throw.
+#pragma once
+
+#include <hdf5.h>
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace brdftab {
+
+/// Owns an identifier of any kind.
+class Hdf5Handle {
+ public:
+  Hdf5Handle() = default;
+  /// Throws FileError with HDF5's own innermost cause if `id` says that `what` failed.
+  Hdf5Handle(hid_t id, std::string_view what);
+  Hdf5Handle(Hdf5Handle&& other) noexcept : id_(std::exchange(other.id_, H5I_INVALID_HID)) {}
+  Hdf5Handle& operator=(Hdf5Handle&& other) noexcept {
+    std::swap(id_, other.id_);
+    return *this;
+  }
+  ~Hdf5Handle() { close_quietly(); }
+
+  operator hid_t() const { return id_; }
+  /// Closes now, so that a failure to write can still be told. Throws FileError.
+  void close(std::string_view what);
+
+ private:
+  void close_quietly() noexcept;
+  hid_t id_ = H5I_INVALID_HID;
+};
+
+/// Throws FileError if an HDF5 call failed; `what` says what was attempted.
+void hdf5_check(herr_t status, std::string_view what);
+
+/// Silences HDF5's own printing of its error stack, for the life of the process.
+void hdf5_quiet();
+
+void write_attribute(hid_t object, const std::string& name, std::string_view text);
+void write_attribute(hid_t object, const std::string& name, double value);
+void write_attribute(hid_t object, const std::string& name, std::span<const double> values);
+
+/// Attributes of an open object; throw FileError where there is none of that kind.
+std::string read_text_attribute(hid_t object, const std::string& name);
+bool has_attribute(hid_t object, const std::string& name);
+
+}  // namespace brdftab

@@ -1,0 +1,115 @@
+#include "host/hdf5_info.hpp"
+
+#include <hdf5_hl.h>
+
+#include "host/error.hpp"
+#include "host/hdf5_handle.hpp"
+
+namespace brdftab {
+namespace {
+
+std::vector<std::size_t> shape_of(hid_t space) {
+  const int rank = H5Sget_simple_extent_ndims(space);
+  std::vector<hsize_t> sizes(static_cast<std::size_t>(std::max(rank, 0)));
+  if (rank > 0) H5Sget_simple_extent_dims(space, sizes.data(), nullptr);
+  return {sizes.begin(), sizes.end()};
+}
+
+std::vector<std::string> names_of(hid_t object, H5_index_t index, bool attributes) {
+  std::vector<std::string> names;
+  hsize_t at = 0;
+  if (attributes)
+    H5Aiterate2(
+        object, index, H5_ITER_INC, &at,
+        [](hid_t, const char* name, const H5A_info_t*, void* out) -> herr_t {
+          static_cast<std::vector<std::string>*>(out)->emplace_back(name);
+          return 0;
+        },
+        &names);
+  else
+    H5Literate(
+        object, index, H5_ITER_INC, &at,
+        [](hid_t, const char* name, const H5L_info_t*, void* out) -> herr_t {
+          static_cast<std::vector<std::string>*>(out)->emplace_back(name);
+          return 0;
+        },
+        &names);
+  return names;
+}
+
+std::vector<AttributeInfo> attributes_of(hid_t object) {
+  std::vector<AttributeInfo> attributes;
+  for (const auto& name : names_of(object, H5_INDEX_CRT_ORDER, true)) {
+    const Hdf5Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), name);
+    const Hdf5Handle type(H5Aget_type(attribute), name);
+    const Hdf5Handle space(H5Aget_space(attribute), name);
+    if (H5Tget_class(type) == H5T_STRING && H5Tis_variable_str(type) == 0) {
+      attributes.push_back({name, read_text_attribute(object, name)});
+    } else if (H5Tget_class(type) == H5T_FLOAT) {
+      const auto shape = shape_of(space);
+      std::vector<double> values(shape.empty() ? 1 : shape[0]);
+      hdf5_check(H5Aread(attribute, H5T_NATIVE_DOUBLE, values.data()), name);
+      if (shape.empty()) attributes.push_back({name, values[0]});
+      else attributes.push_back({name, values});
+    }
+  }
+  return attributes;
+}
+
+std::vector<std::string> dimensions_of(hid_t dataset, std::size_t rank) {
+  std::vector<std::string> names;
+  for (unsigned k = 0; k < rank; ++k) {
+    std::string name;
+    H5DSiterate_scales(
+        dataset, k, nullptr,
+        [](hid_t, unsigned, hid_t scale, void* out) -> herr_t {
+          char text[256] = "";
+          H5DSget_scale_name(scale, text, sizeof text);
+          *static_cast<std::string*>(out) = text;
+          return 1;
+        },
+        &name);
+    names.push_back(name);
+  }
+  return names;
+}
+
+VariableInfo variable_of(hid_t file, const std::string& name) {
+  const Hdf5Handle dataset(H5Dopen2(file, name.c_str(), H5P_DEFAULT), name);
+  const Hdf5Handle space(H5Dget_space(dataset), name);
+  const Hdf5Handle type(H5Dget_type(dataset), name);
+  VariableInfo variable{.name = name,
+                        .type = H5Tget_size(type) == 8 ? "float64" : "float32",
+                        .shape = shape_of(space),
+                        .dimensions = {},
+                        .units = has_attribute(dataset, "units") ? read_text_attribute(dataset, "units") : "",
+                        .long_name = has_attribute(dataset, "long_name") ? read_text_attribute(dataset, "long_name") : "",
+                        .is_axis = H5DSis_scale(dataset) > 0,
+                        .values = {}};
+  variable.dimensions = variable.is_axis ? std::vector{name} : dimensions_of(dataset, variable.shape.size());
+  if (variable.shape.size() == 1) {
+    variable.values.resize(variable.shape[0]);
+    hdf5_check(H5Dread(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, variable.values.data()), name);
+  }
+  return variable;
+}
+
+}  // namespace
+
+TableInfo read_hdf5_info(const std::filesystem::path& path) {
+  hdf5_quiet();
+  std::error_code error;
+  if (!std::filesystem::exists(path, error)) throw FileError("{}: does not exist", path.string());
+  if (std::filesystem::is_directory(path, error)) throw FileError("{}: is a folder", path.string());
+  if (H5Fis_hdf5(path.c_str()) <= 0) throw BadInput("{}: is not an HDF5 file", path.string());
+  const Hdf5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), path.string());
+  const Hdf5Handle root(H5Gopen2(file, "/", H5P_DEFAULT), path.string());
+  if (!has_attribute(root, "material") || !has_attribute(root, "azimuth_convention"))
+    throw BadInput("{}: is an HDF5 file, but not a table of brdftab", path.string());
+  TableInfo info;
+  info.attributes = attributes_of(root);
+  for (const auto& name : names_of(root, H5_INDEX_CRT_ORDER, false)) info.variables.push_back(variable_of(file, name));
+  return info;
+}
+
+}  // namespace brdftab

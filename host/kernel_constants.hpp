@@ -1,0 +1,69 @@
+// The structs that kernels share with the host, in both working precisions, and
+// the one place where a material becomes them.
+#pragma once
+
+#include <cmath>
+#include <concepts>
+#include <numbers>
+
+#include "host/parameters.hpp"
+
+namespace brdftab::kernel_f64 {
+using real = double;
+#include "kernels/material_constants.h"
+}  // namespace brdftab::kernel_f64
+
+namespace brdftab::kernel_f32 {
+using real = float;
+#include "kernels/material_constants.h"
+}  // namespace brdftab::kernel_f32
+
+namespace brdftab {
+
+static_assert(sizeof(kernel_f64::MaterialConstants) == 18 * sizeof(double));
+static_assert(sizeof(kernel_f32::MaterialConstants) == 18 * sizeof(float));
+static_assert(sizeof(kernel_f64::ModelVariant) == 5 * sizeof(int));
+
+/// Constants derived in long double, then rounded once to the kernel's precision.
+template <class Constants>
+Constants material_constants(const Parameters& p) {
+  using Real = decltype(Constants::n_eff);
+  const auto real = [](long double value) { return static_cast<Real>(value); };
+  const long double n = p.n_eff;
+  const long double k = p.k_eff;
+  const long double a = 1 + static_cast<long double>(p.n);
+  const auto square = [](long double x) { return x * x; };
+  return {
+      .n_eff = real(n),
+      .k_eff = real(k),
+      .m2_re = real((n - k) * (n + k)),
+      .m2_im = real(2 * n * k),
+      .contrast = real(std::hypot(1 - n, k) * std::hypot(1 + n, k)),
+      .sigma_surface = real(p.sigma_surface),
+      .sigma_bulk = real(p.sigma_bulk),
+      .sigma_retro = real(p.sigma_retro),
+      .rho2_surface = real(square(p.rho_surface)),
+      .rho2_bulk = real(square(p.rho_bulk)),
+      .rho2_retro = real(square(p.rho_retro)),
+      .w_a = real(p.w_a),
+      .w_b = real(p.w_b),
+      .gamma = real(p.gamma),
+      .delta = real(p.delta),
+      .inverse_w2 = real(1 / square(p.w)),
+      .shape = real(a),
+      .ln_gamma_scale = real(a * std::log(a) - a - std::lgamma(1 + a)),
+  };
+}
+
+template <class Variant>
+Variant model_variant(const ModelSwitches& switches) {
+  return {
+      .normalization = static_cast<int>(switches.normalization),
+      .autocovariance = static_cast<int>(switches.autocovariance),
+      .foreshortening = switches.foreshortening,
+      .width_shadowing = switches.width_shadowing,
+      .reflectance_shadowing = static_cast<int>(switches.reflectance_shadowing),
+  };
+}
+
+}  // namespace brdftab

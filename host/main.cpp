@@ -1,0 +1,88 @@
+// The command line: a table of commands, and the one place where errors end.
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <new>
+
+#include "host/commands/command.hpp"
+#include "host/interrupt.hpp"
+#include "host/opencl.hpp"
+#include "host/table_content.hpp"
+
+namespace brdftab {
+namespace {
+
+struct CommandRow {
+  const char* name;
+  const char* summary;
+  Command command;
+};
+
+constexpr CommandRow command_table[] = {
+    {"generate", "Tabulate materials into table files", generate_command},
+    {"evaluate", "Evaluate a material at the directions of a CSV file", evaluate_command},
+    {"info", "Show what a table holds", info_command},
+    {"devices", "List the OpenCL devices and how to select each", devices_command},
+    {"parameters", "List every parameter of the model with its range and meaning", parameters_command},
+};
+
+int fail(ExitStatus status, std::string_view message) {
+  std::fflush(stdout);
+  fmt::print(stderr, "brdftab: {}\n", message);
+  return static_cast<int>(status);
+}
+
+std::string joined(int argc, char** argv) {
+  std::string line = "brdftab";
+  for (int k = 1; k < argc; ++k) {
+    const std::string_view word = argv[k];
+    const bool plain = !word.empty() && word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
+                                                               "_-+=:,./%") == std::string_view::npos;
+    line += plain ? fmt::format(" {}", word) : fmt::format(" '{}'", word);
+  }
+  return line;
+}
+
+int run(int argc, char** argv) {
+  CLI::App app{"brdftab: tables of the Renhorn-Boreman BRDF of rough surfaces, computed with OpenCL", "brdftab"};
+  CommonOptions common;
+  common.command_line = joined(argc, argv);
+  app.set_version_flag("--version", program_source);
+  app.require_subcommand(1);
+  std::function<ExitStatus()> chosen;
+  for (const auto& row : command_table) {
+    CLI::App* parser = app.add_subcommand(row.name, row.summary);
+    parser->set_version_flag("--version", program_source);
+    parser->add_flag("-q,--quiet", common.quiet, "No talk on standard error but errors");
+    parser->callback([&chosen, run_command = row.command(*parser, common)] { chosen = run_command; });
+  }
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& success) {  // --help, --version
+    return app.exit(success);
+  } catch (const CLI::ParseError& error) {
+    return fail(ExitStatus::bad_input, fmt::format("{}; see brdftab --help", error.what()));
+  }
+  catch_interrupts();
+  const ExitStatus status = chosen();
+  if (std::fflush(stdout) != 0 || std::ferror(stdout)) return fail(ExitStatus::file, "standard output cannot be written");
+  return static_cast<int>(status);
+}
+
+}  // namespace
+}  // namespace brdftab
+
+int main(int argc, char** argv) {
+  using brdftab::ExitStatus;
+  try {
+    return brdftab::run(argc, argv);
+  } catch (const brdftab::Error& error) {
+    return brdftab::fail(error.status(), error.what());
+  } catch (const cl::Error& error) {
+    return brdftab::fail(ExitStatus::device, brdftab::describe(error));
+  } catch (const std::bad_alloc&) {
+    return brdftab::fail(ExitStatus::device, "the host is out of memory");
+  } catch (const std::exception& error) {
+    return brdftab::fail(ExitStatus::check_failed, error.what());
+  }
+}

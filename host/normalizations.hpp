@@ -1,0 +1,27 @@
+// N of each lobe at a list of polar angles, integrated on the device.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "host/engine.hpp"
+#include "host/material.hpp"
+
+namespace brdftab {
+
+struct Normalizations {
+  /// N by lobe and angle, and its estimated relative error.
+  std::array<std::vector<double>, 3> value;
+  std::array<std::vector<double>, 3> error;
+  /// The same values on the device, [lobe][angle], in the working precision.
+  cl::Buffer on_device;
+
+  double largest_error() const;
+};
+
+/// Polar angles in degrees. Throws BadInput, which names lobe, angle and parameters, where N is not finite.
+Normalizations normalizations(const Engine& engine, const Band& band, const ModelSwitches& switches,
+                              std::span<const double> theta);
+
+}  // namespace brdftab

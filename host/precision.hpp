@@ -1,0 +1,16 @@
+// The width of a number: in a table, or in a kernel's arithmetic.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+namespace brdftab {
+
+enum class Precision { float32, float64 };
+
+constexpr std::size_t bytes_of(Precision precision) { return precision == Precision::float64 ? 8 : 4; }
+constexpr std::string_view name_of(Precision precision) {
+  return precision == Precision::float64 ? "float64" : "float32";
+}
+
+}  // namespace brdftab

@@ -1,0 +1,31 @@
+#include "host/slab.hpp"
+
+#include <algorithm>
+
+namespace brdftab {
+namespace {
+
+std::vector<Range> pieces(std::size_t size, std::size_t longest) {
+  std::vector<Range> result;
+  for (std::size_t begin = 0; begin < size; begin += longest) result.push_back({begin, std::min(begin + longest, size)});
+  return result;
+}
+
+}  // namespace
+
+std::vector<Slab> slabs(const Grid& grid, std::size_t most_nodes) {
+  const std::size_t row = grid.phi_s.size();
+  const std::size_t slice = row * grid.theta_s.size();
+  const std::size_t incidence = slice * grid.phi_i.size();
+  // A dimension is cut only where everything inside it does not fit, so a slab is contiguous.
+  const std::size_t theta_i = std::max<std::size_t>(most_nodes / incidence, 1);
+  const std::size_t phi_i = incidence <= most_nodes ? grid.phi_i.size() : std::max<std::size_t>(most_nodes / slice, 1);
+  const std::size_t theta_s = slice <= most_nodes ? grid.theta_s.size() : std::max<std::size_t>(most_nodes / row, 1);
+  std::vector<Slab> result;
+  for (const Range i : pieces(grid.theta_i.size(), theta_i))
+    for (const Range p : pieces(grid.phi_i.size(), phi_i))
+      for (const Range s : pieces(grid.theta_s.size(), theta_s)) result.push_back({i, p, s, row});
+  return result;
+}
+
+}  // namespace brdftab

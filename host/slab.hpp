@@ -1,0 +1,31 @@
+// A contiguous piece of a table, small enough to hold in memory.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "host/axis.hpp"
+
+namespace brdftab {
+
+/// Half-open.
+struct Range {
+  std::size_t begin;
+  std::size_t end;
+  std::size_t size() const { return end - begin; }
+  bool operator==(const Range&) const = default;
+};
+
+/// Nodes of one dataset and band: a box over the first three angles, all of phi_s.
+struct Slab {
+  Range theta_i;
+  Range phi_i;
+  Range theta_s;
+  std::size_t phi_s;  // nodes
+  std::size_t nodes() const { return theta_i.size() * phi_i.size() * theta_s.size() * phi_s; }
+};
+
+/// Cuts a grid, in the table's order, into slabs of at most `most_nodes` (or one row of phi_s).
+std::vector<Slab> slabs(const Grid& grid, std::size_t most_nodes);
+
+}  // namespace brdftab

@@ -1,0 +1,47 @@
+// The only file that knows which language compiles the maths: OpenCL C 1.2,
+// or C++ (tests compile the same files with real = double and real = float).
+#pragma once
+
+#ifdef __OPENCL_C_VERSION__
+
+#pragma OPENCL FP_CONTRACT OFF
+#if BRDFTAB_WORKING_DOUBLE || BRDFTAB_TABLE_DOUBLE
+#pragma OPENCL EXTENSION cl_khr_fp64 : enable
+#endif
+
+#if BRDFTAB_WORKING_DOUBLE
+typedef double real;
+#define REAL(literal) literal
+#else
+typedef float real;
+#define REAL(literal) literal##f
+#endif
+
+#define FN static inline
+#define CONSTANT __constant
+
+#else
+
+#include <cmath>
+using std::exp, std::expm1, std::fabs, std::fma, std::fmax, std::fmin, std::log, std::log1p, std::rint, std::sqrt;
+#define REAL(literal) static_cast<real>(literal)
+#define FN inline
+#define CONSTANT static constexpr
+
+#endif
+
+#if BRDFTAB_WORKING_DOUBLE
+#define REAL_EPSILON REAL(2.220446049250313e-16)
+#define REAL_SMALLEST REAL(1e-300)
+// Relative tolerance asked of each panel of an integral.
+#define PANEL_TOLERANCE REAL(1e-13)
+// ln of the smallest rho'^2 that the integral over a lobe resolves; its square must not underflow.
+#define LN_RHO2_FLOOR REAL(-460.0)
+#else
+#define REAL_EPSILON REAL(1.1920929e-7)
+#define REAL_SMALLEST REAL(1e-37)
+#define PANEL_TOLERANCE REAL(1e-6)
+#define LN_RHO2_FLOOR REAL(-69.0)
+#endif
+
+#define PI REAL(3.14159265358979323846)

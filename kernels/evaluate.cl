@@ -1,0 +1,43 @@
+// Entry points for lists of directions: N of a list of polar angles, and f of a
+// list of direction pairs.
+#include "model.h"
+#include "normalization.h"
+
+// theta in degrees; value and error: [LOBE_COUNT][angles]. Global size: angles x LOBE_COUNT.
+__kernel void normalizations(__global const real *restrict theta, __global real *restrict value,
+                             __global real *restrict error, MaterialConstants m, ModelVariant variant)
+{
+  const size_t angle = get_global_id(0);
+  const int lobe = (int)get_global_id(1);
+  const size_t at = lobe * get_global_size(0) + angle;
+  const Normalization n = normalization(sincos_degrees(theta[angle]), lobe, m, variant);
+  value[at] = n.value;
+  error[at] = n.error;
+}
+
+// Angles in degrees; n: [LOBE_COUNT][angles], read at incidence[k] and scatter[k]. f in 1/sr.
+__kernel void evaluate(__global const real *restrict theta_i, __global const real *restrict theta_s,
+                       __global const real *restrict phi, __global const int *restrict incidence,
+                       __global const int *restrict scatter, __global const real *restrict n, int angles,
+                       __global real *restrict f_s, __global real *restrict f_p, MaterialConstants m,
+                       ModelVariant variant)
+{
+  const size_t k = get_global_id(0);
+  real n_i[LOBE_COUNT];
+  real n_s[LOBE_COUNT];
+  for (int lobe = 0; lobe < LOBE_COUNT; ++lobe) {
+    n_i[lobe] = n[lobe * angles + incidence[k]];
+    n_s[lobe] = n[lobe * angles + scatter[k]];
+  }
+  const Brdf f = brdf(polar_factors(theta_i[k], m, variant), polar_factors(theta_s[k], m, variant),
+                      azimuth_factors(phi[k]), n_i, n_s, m, variant);
+  f_s[k] = f.s;
+  f_p[k] = f.p;
+}
+
+// Sizes of the structs shared with the host, as this device lays them out.
+__kernel void layout(__global int *restrict bytes)
+{
+  bytes[0] = (int)sizeof(MaterialConstants);
+  bytes[1] = (int)sizeof(ModelVariant);
+}

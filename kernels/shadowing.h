@@ -1,0 +1,56 @@
+// Masking and shadowing: V of Eq. (10), which narrows a lobe, and V_m of
+// Eq. (13), which multiplies its reflectance.
+#pragma once
+#include "dialect.h"
+#include "incomplete_gamma.h"
+#include "material.h"
+
+// V(chi = sin theta), Eq. (10), with n! = Gamma(1 + n).
+FN UpperGamma width_shadowing(real sine, MaterialConstants m, ModelVariant variant)
+{
+  UpperGamma v;
+  v.value = REAL(1.0);
+  v.logarithm = REAL(0.0);
+  if (variant.width_shadowing)
+    v = upper_gamma(m.shape, sine * sine * m.inverse_w2, m.ln_gamma_scale);
+  return v;
+}
+
+// exp(-x) and 1 - exp(-x), each to full precision.
+typedef struct {
+  real passed;
+  real blocked;
+} Attenuation;
+
+FN Attenuation attenuation(real exponent)
+{
+  Attenuation a;
+  a.passed = exp(-exponent);
+  a.blocked = -expm1(-exponent);
+  return a;
+}
+
+// E_0 = exp(-gamma |zeta_0| exp(-delta / zeta_0^2)), zeta_0 = tan theta_i; 1 at theta_i = 0.
+FN Attenuation incidence_shadowing(real sine, real cosine, MaterialConstants m)
+{
+  const real zeta = sine / cosine;
+  return attenuation(zeta > REAL(0.0) ? m.gamma * zeta * exp(-m.delta / (zeta * zeta)) : REAL(0.0));
+}
+
+// S = exp(-w_a |zeta| exp(-w_b / alpha^2)) with alpha = sin theta_s cos phi and
+// zeta = alpha / sqrt(1 - alpha^2), where 1 - alpha^2 = cos^2 theta_s + sin^2 theta_s sin^2 phi
+// does not cancel; 1 at alpha = 0.
+FN Attenuation scatter_shadowing(real sine, real cosine, real cos_phi, real sin2_phi, MaterialConstants m)
+{
+  const real alpha = fabs(sine * cos_phi);
+  const real alpha2 = alpha * alpha;
+  const real one_minus_alpha2 = fma(sine * sine, sin2_phi, cosine * cosine);
+  return attenuation(alpha2 > REAL(0.0) ? m.w_a * alpha / sqrt(one_minus_alpha2) * exp(-m.w_b / alpha2)
+                                        : REAL(0.0));
+}
+
+// V_m, Eq. (13): (1 - E_0) + S E_0 on the forward side, alpha >= 0, and S on the other.
+FN real reflectance_shadowing(Attenuation incidence, Attenuation scatter, int forward)
+{
+  return forward ? fma(scatter.passed, incidence.passed, incidence.blocked) : scatter.passed;
+}
