@@ -53,7 +53,11 @@ GenerateSummary generate(const Engine& engine, const Material& material, const G
           done += slab.nodes();
           progress.report(done);
         }
-      findings.integrals.push_back({plan.normalization()});
+      const Band& this_band = material.bands()[band];
+      for (auto& warning : energy_warnings(material, this_band, grid.theta_i.nodes(), plan.integrals().dhr, options.polarizations))
+        findings.energy_warnings.push_back(std::move(warning));
+      findings.integrals.push_back(plan.integrals());
+      findings.reciprocity.push_back(reciprocity(engine, this_band, material.switches()));
     }
     ring.drain();
   }
@@ -62,7 +66,7 @@ GenerateSummary generate(const Engine& engine, const Material& material, const G
   writer->finish(findings);
   file.commit();
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-  return {samples, samples * node_bytes, elapsed.count(), findings.accuracy};
+  return {samples, samples * node_bytes, elapsed.count(), std::move(findings)};
 }
 
 }  // namespace brdftab

@@ -24,7 +24,7 @@ struct GenerateSummary {
   std::size_t samples;
   std::size_t bytes;
   double seconds;
-  Accuracy accuracy;
+  TableFindings findings;
 };
 
 using CreateTable = std::function<std::unique_ptr<TableWriter>(const std::filesystem::path&, const TableContent&)>;

@@ -77,24 +77,23 @@ class Hdf5Table : public TableWriter {
   }
 
   void finish(const TableFindings& findings) override {
-    std::vector<std::string> dimensions{"theta_i"};
-    if (dimensions_.size() == 5) dimensions.insert(dimensions.begin(), "wavelength");
-    for (std::size_t lobe = 0; lobe < 3; ++lobe) {
-      std::vector<double> values;
-      for (const auto& band : findings.integrals)
-        values.insert(values.end(), band.normalization.value[lobe].begin(), band.normalization.value[lobe].end());
-      Hdf5Handle variable =
-          create_variable(fmt::format("normalization_{}", lobe_names[lobe]), dimensions, H5T_IEEE_F64LE, "1",
-                          fmt::format("N of the {} lobe: 1 / integral of the bare lobe over direction cosines", lobe_names[lobe]));
-      hdf5_check(H5Dwrite(variable, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), path_.string());
-    }
+    write_integrals(findings.integrals);
     Hdf5Handle root(H5Gopen2(file_, "/", H5P_DEFAULT), path_.string());
-    double quadrature_error = 0;
-    for (const auto& band : findings.integrals) quadrature_error = std::max(quadrature_error, band.normalization.largest_error());
-    write_attribute(root, "normalization_relative_error", quadrature_error);
+    double normalization_error = 0;
+    double dhr_error = 0;
+    for (const auto& band : findings.integrals) {
+      normalization_error = std::max(normalization_error, band.normalization.largest_error());
+      dhr_error = std::max(dhr_error, band.dhr.largest_error());
+    }
+    write_attribute(root, "normalization_relative_error", normalization_error);
+    write_attribute(root, "dhr_relative_error", dhr_error);
+    write_attribute(root, "energy", findings.energy_warnings.empty() ? "DHR is at most 1 at every theta_i"
+                                                                     : fmt::format("{}", fmt::join(findings.energy_warnings, "; ")));
+    write_attribute(root, "accuracy", "nodes of this table compared with the scalar reference while it was made");
     write_attribute(root, "accuracy_nodes", static_cast<double>(findings.accuracy.nodes));
     write_attribute(root, "accuracy_max_relative_error", findings.accuracy.max_relative_error);
     write_attribute(root, "accuracy_rms_relative_error", findings.accuracy.rms_relative_error);
+    write_reciprocity(root, findings.reciprocity);
     root = Hdf5Handle();
     scales_.clear();
     samples_.clear();
@@ -102,6 +101,46 @@ class Hdf5Table : public TableWriter {
   }
 
  private:
+  // One value for each theta_i, and for each wavelength where there are any.
+  void write_integrals(const std::vector<Integrals>& bands) {
+    std::vector<std::string> dimensions{"theta_i"};
+    if (dimensions_.size() == 5) dimensions.insert(dimensions.begin(), "wavelength");
+    const auto write = [&](const std::string& name, const std::string& long_name, auto value_at) {
+      std::vector<double> values;
+      for (const auto& band : bands)
+        for (std::size_t k = 0; k < band.normalization.value[0].size(); ++k) values.push_back(value_at(band, k));
+      const Hdf5Handle variable = create_variable(name, dimensions, H5T_IEEE_F64LE, "1", long_name);
+      hdf5_check(H5Dwrite(variable, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), path_.string());
+    };
+    for (std::size_t lobe = 0; lobe < 3; ++lobe)
+      write(fmt::format("normalization_{}", lobe_names[lobe]),
+            fmt::format("N of the {} lobe: 1 / integral of the bare lobe over direction cosines", lobe_names[lobe]),
+            [&](const Integrals& band, std::size_t k) { return band.normalization.value[lobe][k]; });
+    write("dhr", "directional-hemispherical reflectance, unpolarised light",
+          [](const Integrals& band, std::size_t k) { return band.dhr.total(k, Polarization::unpolarized); });
+    for (std::size_t lobe = 0; lobe < 3; ++lobe)
+      write(fmt::format("dhr_{}", lobe_names[lobe]),
+            fmt::format("directional-hemispherical reflectance of the {} lobe, unpolarised light", lobe_names[lobe]),
+            [&](const Integrals& band, std::size_t k) { return band.dhr.lobe(lobe, k, Polarization::unpolarized); });
+  }
+
+  // A number, or one for each wavelength.
+  void write_reciprocity(hid_t root, const std::vector<Reciprocity>& bands) {
+    const auto write = [&](const std::string& name, double Reciprocity::*member) {
+      std::vector<double> values;
+      for (const auto& band : bands) values.push_back(band.*member);
+      if (values.size() == 1) write_attribute(root, name, values[0]);
+      else write_attribute(root, name, values);
+    };
+    write_attribute(root, "reciprocity", reciprocity_grid);
+    write("reciprocity_median", &Reciprocity::median);
+    write("reciprocity_90_percent", &Reciprocity::percentile_90);
+    write("reciprocity_max", &Reciprocity::maximum);
+    write("reciprocity_max_theta_i", &Reciprocity::theta_i);
+    write("reciprocity_max_theta_s", &Reciprocity::theta_s);
+    write("reciprocity_max_phi", &Reciprocity::phi);
+  }
+
   void write_root_attributes(const TableContent& content) {
     const Hdf5Handle root(H5Gopen2(file_, "/", H5P_DEFAULT), path_.string());
     const Material& material = content.material;

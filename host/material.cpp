@@ -114,7 +114,7 @@ class MaterialReader {
       const auto nearest = *std::min_element(known.begin(), known.end(), [&](auto a, auto b) {
         return edit_distance(name, a) < edit_distance(name, b);
       });
-      const bool is_typo = edit_distance(name, nearest) <= std::max<std::size_t>(1, nearest.size() / 3);
+      const bool is_typo = edit_distance(name, nearest) <= std::max<std::size_t>(2, nearest.size() / 3) && nearest.size() > 2;
       fail(key.source(), fmt::format("{}{} = {}: unknown key{}; allowed: {}", prefix, excerpt(name), value_text(node),
                                      is_typo ? fmt::format("; did you mean {}?", nearest) : "", joined(known)));
     }

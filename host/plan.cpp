@@ -37,7 +37,7 @@ Plan::Plan(const Engine& engine, const Material& material, const Band& band, con
       kernel_material_(band.parameters, material.switches(), engine.working()),
       gaussian_(material.switches().autocovariance == Autocovariance::gaussian),
       coefficients_(gaussian_ ? 3 : 2),
-      normalization_i_(normalizations(engine, band, material.switches(), grid.theta_i.nodes())) {
+      integrals_(brdftab::integrals(engine, band, material.switches(), grid.theta_i.nodes())) {
   if (material.switches().normalization == Normalization::reciprocal)
     normalization_s_ = normalizations(engine, band, material.switches(), grid.theta_s.nodes());
 
@@ -112,8 +112,8 @@ void Plan::tabulate_pairs(const Slab& slab, Polarization polarization) {
     pairs_bytes_ = bytes;
   }
   cl::Kernel kernel = engine_.kernel(gaussian_ ? "gaussian_pairs" : "lorentzian_pairs");
-  const Normalizations& scatter = normalization_s_ ? *normalization_s_ : normalization_i_;
-  set_arguments(kernel, polar_i_, polar_s_, normalization_i_.on_device, as_int(grid_.theta_i.size()), scatter.on_device,
+  const Normalizations& scatter = normalization_s_ ? *normalization_s_ : integrals_.normalization;
+  set_arguments(kernel, polar_i_, polar_s_, integrals_.normalization.on_device, as_int(grid_.theta_i.size()), scatter.on_device,
                 as_int(normalization_s_ ? grid_.theta_s.size() : 0), as_int(slab.theta_i.begin),
                 as_int(slab.theta_s.begin), pairs_, alarms_, as_int(static_cast<std::size_t>(polarization)));
   kernel_material_.set(kernel, 11);

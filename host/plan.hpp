@@ -7,7 +7,7 @@
 
 #include "host/engine.hpp"
 #include "host/material.hpp"
-#include "host/normalizations.hpp"
+#include "host/integrals.hpp"
 #include "host/polarization.hpp"
 #include "host/slab.hpp"
 
@@ -16,10 +16,10 @@ namespace brdftab {
 /// For one band of a material. Borrows the engine, the material and the grid.
 class Plan {
  public:
-  /// Computes N and the factors of all polar angles. Throws BadInput where N is not finite.
+  /// Computes the integrals at every theta_i and the factors of all polar angles. Throws BadInput where N is not finite.
   Plan(const Engine& engine, const Material& material, const Band& band, const Grid& grid);
 
-  const Normalizations& normalization() const { return normalization_i_; }
+  const Integrals& integrals() const { return integrals_; }
 
   /// Enqueues the samples of a slab, [theta_i][phi_i][theta_s][phi_s] in the table's precision, in 1/sr.
   void tabulate(const Slab& slab, Polarization polarization, const cl::Buffer& samples);
@@ -41,7 +41,7 @@ class Plan {
   KernelMaterial kernel_material_;
   bool gaussian_;
   std::size_t coefficients_;  // of a lobe
-  Normalizations normalization_i_;
+  Integrals integrals_;
   std::optional<Normalizations> normalization_s_;
   cl::Buffer polar_i_, polar_s_, incidence_shadowing_;
 

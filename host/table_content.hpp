@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "host/integrals.hpp"
+#include "host/energy.hpp"
 #include "host/material.hpp"
 #include "host/polarization.hpp"
 #include "host/precision.hpp"
@@ -40,7 +40,9 @@ struct TableContent {
 };
 
 struct TableFindings {
-  std::vector<Integrals> integrals;  // by band
+  std::vector<Integrals> integrals;      // by band
+  std::vector<Reciprocity> reciprocity;  // by band
+  std::vector<std::string> energy_warnings;
   Accuracy accuracy;
 };
 

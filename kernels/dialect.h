@@ -33,14 +33,23 @@ using std::exp, std::expm1, std::fabs, std::fma, std::fmax, std::fmin, std::log,
 #if BRDFTAB_WORKING_DOUBLE
 #define REAL_EPSILON REAL(2.220446049250313e-16)
 #define REAL_SMALLEST REAL(1e-300)
-// Relative tolerance asked of each panel of an integral.
+// Relative tolerances asked of each panel: of N, of DHR over theta_s, and of DHR over phi;
+// the length of a panel that is accepted as it is; and an error of DHR that does not matter.
 #define PANEL_TOLERANCE REAL(1e-13)
+#define DHR_TOLERANCE REAL(1e-9)
+#define RING_TOLERANCE REAL(1e-9)
+#define SMALLEST_PANEL REAL(1e-9)
+#define NEGLIGIBLE_DHR REAL(1e-22)
 // ln of the smallest rho'^2 that the integral over a lobe resolves; its square must not underflow.
 #define LN_RHO2_FLOOR REAL(-460.0)
 #else
 #define REAL_EPSILON REAL(1.1920929e-7)
 #define REAL_SMALLEST REAL(1e-37)
 #define PANEL_TOLERANCE REAL(1e-6)
+#define DHR_TOLERANCE REAL(1e-5)
+#define RING_TOLERANCE REAL(3e-6)
+#define SMALLEST_PANEL REAL(1e-4)
+#define NEGLIGIBLE_DHR REAL(1e-16)
 #define LN_RHO2_FLOOR REAL(-69.0)
 #endif
 

@@ -1,5 +1,6 @@
-// Entry points for lists of directions: N of a list of polar angles, and f of a
-// list of direction pairs.
+// Entry points for lists of directions: N and DHR of a list of polar angles, and f
+// of a list of direction pairs.
+#include "dhr.h"
 #include "model.h"
 #include "normalization.h"
 
@@ -13,6 +14,20 @@ __kernel void normalizations(__global const real *restrict theta, __global real 
   const Normalization n = normalization(sincos_degrees(theta[angle]), lobe, m, variant);
   value[at] = n.value;
   error[at] = n.error;
+}
+
+// DHR by lobe and angle; n as `normalizations` gives it. Global size: angles x LOBE_COUNT.
+__kernel void dhrs(__global const real *restrict theta, __global const real *restrict n, __global real *restrict dhr_s,
+                   __global real *restrict dhr_p, __global real *restrict error, MaterialConstants m,
+                   ModelVariant variant)
+{
+  const size_t angle = get_global_id(0);
+  const int lobe = (int)get_global_id(1);
+  const size_t at = lobe * get_global_size(0) + angle;
+  const Dhr reflectance = dhr(polar_factors(theta[angle], m, variant), lobe, n[at], m, variant);
+  dhr_s[at] = reflectance.s;
+  dhr_p[at] = reflectance.p;
+  error[at] = reflectance.error;
 }
 
 // Angles in degrees; n: [LOBE_COUNT][angles], read at incidence[k] and scatter[k]. f in 1/sr.

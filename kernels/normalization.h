@@ -37,9 +37,19 @@ FN real azimuthal_profile(real v, real u, real a, real p, ModelVariant variant)
   return exp(-difference * difference / (REAL(4.0) * p)) * scaled_bessel_i0(sqrt(u * a) / (REAL(2.0) * p));
 }
 
-// A point of the half-integral on one side of the peak at u = a: v = |u - a| = h sinh(x),
-// x = reach (1 - (1 - z)^2), z in [0, 1]. The hyperbolic sine takes the peak of width h
-// out of the integrand; the square makes mu_s, which ends in a square root of 1 - u, smooth.
+// An integral over u = sin^2 theta_s runs on the two sides of its peak at u = a, over v = |u - a| = h sinh(x): the
+// hyperbolic sine takes the peak of width h out of the integrand. A segment of x is mapped by
+// z^2 (3 - 2z) from z in [0, 1], which makes square roots at its ends smooth: mu_s at u = 1, the critical angle,
+// and sqrt(u) at u = 0.
+typedef struct {
+  int outer;  // u above a
+  real a;
+  real mu2_i;
+  real h;
+  real begin;  // of x
+  real length;
+} PeakSegment;
+
 typedef struct {
   real v;
   real u;
@@ -47,31 +57,70 @@ typedef struct {
   real jacobian;  // du/dz
 } PeakPoint;
 
-FN PeakPoint peak_point(real z, int outer, real a, real mu2_i, real h, real reach)
+FN real side_length(int outer, real a, real mu2_i)
 {
-  const real rest = REAL(1.0) - z;
-  const real grown = exp(reach * z * (REAL(2.0) - z));
-  const real shrunk = REAL(1.0) / grown;
-  const real x = reach * z * (REAL(2.0) - z);
-  const real sinh_x = x < REAL(0.5) ? REAL(0.5) * (expm1(x) - expm1(-x)) : REAL(0.5) * (grown - shrunk);
-  const real end = outer ? mu2_i : a;
-  PeakPoint point;
-  point.v = fmin(h * sinh_x, end);
-  point.u = outer ? a + point.v : a - point.v;
-  point.mu_s = sqrt(outer ? mu2_i - point.v : mu2_i + point.v);
-  point.jacobian = h * REAL(0.5) * (grown + shrunk) * REAL(2.0) * reach * rest;
-  return point;
+  return outer ? mu2_i : a;
 }
 
-FN real peak_reach(real end, real h)
+// asinh(v / h)
+FN real peak_reach(real v, real h)
 {
-  const real ratio = end / h;
+  const real ratio = v / h;
   return log1p(ratio + ratio * ratio / (REAL(1.0) + sqrt(fma(ratio, ratio, REAL(1.0)))));
 }
 
-// N of one lobe at theta_i. Only ln rho'^2 enters, so V may underflow: a peak narrower than
-// LN_RHO2_FLOOR is integrated at that width, and the rest of its logarithm added, since a
-// Lorentzian peak contributes -ln rho'^2 + const (the Gaussian one has no such limit: there N overflows).
+FN PeakPoint peak_point(real z, PeakSegment segment)
+{
+  const real x = fma(segment.length, z * z * (REAL(3.0) - REAL(2.0) * z), segment.begin);
+  const real grown = exp(x);
+  const real shrunk = REAL(1.0) / grown;
+  const real sinh_x = x < REAL(0.5) ? REAL(0.5) * (expm1(x) - expm1(-x)) : REAL(0.5) * (grown - shrunk);
+  PeakPoint point;
+  point.v = fmin(segment.h * sinh_x, side_length(segment.outer, segment.a, segment.mu2_i));
+  point.u = segment.outer ? segment.a + point.v : segment.a - point.v;
+  // Above 0, where Fresnel's formulas without contrast would be 0/0.
+  point.mu_s = sqrt(segment.outer ? fmax(segment.mu2_i - point.v, REAL_EPSILON * segment.mu2_i) : segment.mu2_i + point.v);
+  point.jacobian = segment.h * REAL(3.0) * (grown + shrunk) * segment.length * z * (REAL(1.0) - z);
+  return point;
+}
+
+// A first step that sees the peak, of unit width in x.
+FN real first_step(PeakSegment segment)
+{
+  return fmin(REAL(0.25), sqrt(REAL(0.5) / segment.length));
+}
+
+// The width of a lobe's peak at theta_s = theta_i. Only its logarithm enters an integral, so V may underflow: a peak
+// narrower than LN_RHO2_FLOOR is integrated at that width. A Lorentzian peak contributes const - ln rho'^2, so
+// ln_missing, the rest of its logarithm, is added; a Gaussian one is proportional to rho'^2.
+typedef struct {
+  real h;           // half-width of the peak in u
+  real ln_rho2;     // ln(rho^2 V(sin theta_i))
+  real floor;       // added to rho'^2, where the peak is too narrow
+  real ln_missing;
+} PeakWidth;
+
+FN PeakWidth peak_width(real sine, real cosine, real rho2, MaterialConstants m, ModelVariant variant)
+{
+  const real ln_v_i = width_shadowing(sine, m, variant).logarithm;
+  const real ln_peak = log(rho2 * foreshortening2(cosine, cosine, variant)) + REAL(2.0) * ln_v_i;
+  PeakWidth width;
+  width.ln_missing = fmax(LN_RHO2_FLOOR - ln_peak, REAL(0.0));
+  width.ln_rho2 = log(rho2) + ln_v_i;
+  const real p = exp(ln_peak + width.ln_missing);
+  width.floor = p - exp(ln_peak);
+  width.h = sqrt(p * fma(REAL(4.0) * sine, sine, p));
+  return width;
+}
+
+// rho'^2 at a point of the integral.
+FN real integrated_rho2(PeakPoint point, real cosine_i, PeakWidth width, MaterialConstants m, ModelVariant variant)
+{
+  const real ln_v_s = width_shadowing(sqrt(point.u), m, variant).logarithm;
+  return fma(foreshortening2(cosine_i, point.mu_s, variant), exp(width.ln_rho2 + ln_v_s), width.floor);
+}
+
+// N of one lobe at theta_i.
 FN Normalization normalization(SineCosine incidence, int lobe, MaterialConstants m, ModelVariant variant)
 {
   const real rho2 = lobe_rho2(lobe, m);
@@ -84,39 +133,37 @@ FN Normalization normalization(SineCosine incidence, int lobe, MaterialConstants
     return result;
   }
 
-  const real ln_v_i = width_shadowing(incidence.sine, m, variant).logarithm;
-  const real ln_peak = log(rho2 * foreshortening2(incidence.cosine, incidence.cosine, variant)) + REAL(2.0) * ln_v_i;
-  const real ln_missing = fmax(LN_RHO2_FLOOR - ln_peak, REAL(0.0));
-  const real ln_width = log(rho2) + ln_v_i + ln_missing;
-  const real p_peak = exp(ln_peak + ln_missing);
-  const real h = sqrt(p_peak * fma(REAL(4.0), a, p_peak));
-
-  real integral = variant.autocovariance == AUTOCOVARIANCE_LORENTZIAN ? ln_missing : REAL(0.0);
+  const PeakWidth width = peak_width(incidence.sine, incidence.cosine, rho2, m, variant);
+  real integral = variant.autocovariance == AUTOCOVARIANCE_LORENTZIAN ? width.ln_missing : REAL(0.0);
   real error = REAL(0.0);
   for (int outer = 0; outer < 2; ++outer) {
-    const real end = outer ? mu2_i : a;
-    if (end <= REAL(0.0))
+    PeakSegment segment;
+    segment.outer = outer;
+    segment.a = a;
+    segment.mu2_i = mu2_i;
+    segment.h = width.h;
+    segment.begin = REAL(0.0);
+    segment.length = peak_reach(side_length(outer, a, mu2_i), width.h);
+    if (!(segment.length > REAL(0.0)))
       continue;
-    const real reach = peak_reach(end, h);
-    const real largest_step = REAL(0.25);
-    March march = march_begin(fmin(largest_step, REAL(1.0) / reach));
+    March march = march_begin(first_step(segment));
     while (march_unfinished(march)) {
       real kronrod = REAL(0.0);
       real gauss = REAL(0.0);
       for (int k = 0; k < PANEL_NODES; ++k) {
-        const PeakPoint point = peak_point(fma(march.step, panel_node[k], march.position), outer, a, mu2_i, h, reach);
-        const real ln_v_s = width_shadowing(sqrt(point.u), m, variant).logarithm;
-        const real p = foreshortening2(incidence.cosine, point.mu_s, variant) * exp(ln_width + ln_v_s);
+        const PeakPoint point = peak_point(fma(march.step, panel_node[k], march.position), segment);
+        const real p = integrated_rho2(point, incidence.cosine, width, m, variant);
         const real value = point.jacobian * azimuthal_profile(point.v, point.u, a, p, variant);
         kronrod = fma(kronrod_weight[k], value, kronrod);
         gauss = fma(gauss_weight[k], value, gauss);
       }
-      march = march_advance(march, kronrod, gauss, largest_step, PANEL_TOLERANCE);
+      march = march_advance(march, kronrod, gauss, REAL(0.125), PANEL_TOLERANCE, REAL(0.0));
     }
     integral += march.integral;
     error += march.error;
   }
-  result.value = REAL(1.0) / (PI * integral);
+  const real scale = variant.autocovariance == AUTOCOVARIANCE_GAUSSIAN ? exp(width.ln_missing) : REAL(1.0);
+  result.value = scale / (PI * integral);
   result.error = error / integral;
   return result;
 }

@@ -5,7 +5,8 @@
 #include "dialect.h"
 
 #define PANEL_NODES 15
-#define SMALLEST_PANEL REAL(1e-9)
+// Past these a panel is accepted as it is, and its error tells: no integrand may hold a device for long.
+#define MOST_PANELS 1000
 
 CONSTANT real panel_node[PANEL_NODES] = {
     REAL(0.0042723144395936803966), REAL(0.025446043828620737737), REAL(0.067567788320115451661),
@@ -32,6 +33,7 @@ typedef struct {
   real step;
   real integral;
   real error;  // absolute, estimated
+  int panels;
 } March;
 
 FN March march_begin(real first_step)
@@ -41,6 +43,7 @@ FN March march_begin(real first_step)
   march.step = first_step;
   march.integral = REAL(0.0);
   march.error = REAL(0.0);
+  march.panels = 0;
   return march;
 }
 
@@ -50,18 +53,22 @@ FN int march_unfinished(March march)
 }
 
 // Takes a panel's two estimates (over a unit interval) and accepts it or shortens the
-// step. The error follows QUADPACK: (200 |K - G|/K)^1.5 K, the Kronrod rule's own error
-// being far below its difference from the Gauss rule.
-FN March march_advance(March march, real kronrod, real gauss, real largest_step, real tolerance)
+// step: its error may be `tolerance`, relative, or `negligible`, absolute. The error follows QUADPACK: (200 |K - G|/K)^1.5 K, the Kronrod rule's own error
+// being far below its difference from the Gauss rule; but no less than a hundredth of it, for integrands that are not smooth.
+FN March march_advance(March march, real kronrod, real gauss, real largest_step, real tolerance, real negligible)
 {
   const real value = kronrod * march.step;
   const real difference = fabs(kronrod - gauss) * march.step;
   real error = REAL(0.0);
   if (difference > REAL(0.0)) {
     const real ratio = REAL(200.0) * difference / value;
-    error = ratio < REAL(1.0) ? value * ratio * sqrt(ratio) : fmax(difference, value);
+    error = ratio < REAL(1.0) ? fmax(value * ratio * sqrt(ratio), REAL(0.01) * difference) : fmax(difference, value);
   }
-  if (error <= tolerance * (value + march.integral) || march.step <= SMALLEST_PANEL) {
+  march.panels += 1;
+  if (!(value < INFINITY)) {
+    march.integral = value;
+    march.position = REAL(1.0);
+  } else if (error <= fmax(tolerance * (value + march.integral), negligible) || march.step <= SMALLEST_PANEL || march.panels > MOST_PANELS) {
     march.integral += value;
     march.error += error;
     march.position += march.step;

@@ -19,11 +19,15 @@ struct Estimate {
 struct Double {
   static Sample brdf(const Parameters&, const ModelSwitches&, double theta_i, double theta_s, double phi);
   static Estimate normalization(const Parameters&, const ModelSwitches&, Lobe, double theta_i);
+  /// DHR of a lobe; the error is of their sum, relative.
+  static Sample dhr(const Parameters&, const ModelSwitches&, Lobe, double theta_i, double* error = nullptr);
 };
 
 struct Float {
   static Sample brdf(const Parameters&, const ModelSwitches&, double theta_i, double theta_s, double phi);
   static Estimate normalization(const Parameters&, const ModelSwitches&, Lobe, double theta_i);
+  /// DHR of a lobe; the error is of their sum, relative.
+  static Sample dhr(const Parameters&, const ModelSwitches&, Lobe, double theta_i, double* error = nullptr);
 };
 
 }  // namespace brdftab::kernels_on_host

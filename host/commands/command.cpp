@@ -10,6 +10,17 @@ void add_device_option(CLI::App& parser, std::optional<std::string>& device) {
                     "does the same)");
 }
 
+void add_engine_options(CLI::App& parser, std::string& engine, std::string& precision) {
+  parser.add_option("--engine", engine, "opencl, or reference: the scalar code")->check(CLI::IsMember({"opencl", "reference"}));
+  parser.add_option("--precision", precision, "Arithmetic of the kernels: float64 (default where the device has it) or float32")
+      ->check(CLI::IsMember({"float32", "float64"}));
+}
+
+Precision working_precision(const std::string& option, const Device& device) {
+  if (option.empty()) return Engine::widest(device);
+  return option == "float32" ? Precision::float32 : Precision::float64;
+}
+
 void say(const CommonOptions& common, const std::string& line) {
   if (!common.quiet) fmt::print(stderr, "brdftab: {}\n", line);
 }

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "host/engine.hpp"
 #include "host/error.hpp"
 
 namespace brdftab {
@@ -23,11 +24,18 @@ using Command = std::function<ExitStatus()> (*)(CLI::App& parser, const CommonOp
 
 std::function<ExitStatus()> generate_command(CLI::App&, const CommonOptions&);
 std::function<ExitStatus()> evaluate_command(CLI::App&, const CommonOptions&);
+std::function<ExitStatus()> integrate_command(CLI::App&, const CommonOptions&);
 std::function<ExitStatus()> info_command(CLI::App&, const CommonOptions&);
 std::function<ExitStatus()> devices_command(CLI::App&, const CommonOptions&);
 std::function<ExitStatus()> parameters_command(CLI::App&, const CommonOptions&);
 
 void add_device_option(CLI::App& parser, std::optional<std::string>& device);
+
+/// --engine opencl|reference and --precision float32|float64.
+void add_engine_options(CLI::App& parser, std::string& engine, std::string& precision);
+
+/// What --precision asks for; without it, the widest that the device has.
+Precision working_precision(const std::string& option, const Device& device);
 
 /// A warning, on standard error, unless quiet.
 void say(const CommonOptions& common, const std::string& line);

@@ -75,9 +75,7 @@ ExitStatus run(const Options& options) {
     for (const Band& band : material.bands()) values.push_back(evaluate_reference(band, material.switches(), pairs));
   } else {
     const Device device = select_device(options.device);
-    const Precision working = options.precision.empty()       ? Engine::widest(device)
-                              : options.precision == "float32" ? Precision::float32
-                                                               : Precision::float64;
+    const Precision working = working_precision(options.precision, device);
     const Engine engine(device, working, Precision::float32);
     for (const Band& band : material.bands()) values.push_back(evaluate(engine, band, material.switches(), pairs));
     digits = working == Precision::float64 ? 17 : 9;
@@ -104,9 +102,7 @@ std::function<ExitStatus()> evaluate_command(CLI::App& parser, const CommonOptio
   parser.add_option("PAIRS", options->pairs,
                     "CSV with the columns theta_i_deg, theta_s_deg, phi_deg (or phi_s_deg), in degrees; default: standard input");
   parser.add_option("-o,--output", options->output, "CSV file to write; default: standard output");
-  parser.add_option("--engine", options->engine, "opencl, or reference: the scalar code")->check(CLI::IsMember({"opencl", "reference"}));
-  parser.add_option("--precision", options->precision, "Arithmetic of the kernels: float64 (default where the device has it) or float32")
-      ->check(CLI::IsMember({"float32", "float64"}));
+  add_engine_options(parser, options->engine, options->precision);
   parser.add_flag("--force", options->force, "Overwrite an existing output");
   add_device_option(parser, options->device);
   return [options] { return run(*options); };

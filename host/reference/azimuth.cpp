@@ -1,6 +1,7 @@
-// The variable is z = ln tan(φ/2), φ counted from the centre of the lobe: there both
-// the lobe's width, however small, and V_m near its edge at 90° are features
-// of order one. cos φ = −tanh z, sin φ = dφ/dz = 1/cosh z.
+// With z = ln tan(φ/2), φ counted from the centre of the lobe, both the lobe's
+// width, however small, and V_m near its edge at 90° are features of order one:
+// cos φ = −tanh z, sin φ = dφ/dz = 1/cosh z. The variable is y = z − ln(width), as only
+// that keeps its digits where the width is e^-3000.
 #include "azimuth.hpp"
 
 #include <algorithm>
@@ -41,64 +42,68 @@ class Shadowing {
 };
 
 std::vector<Interval<double>> intervals(double log_width) {
-  std::vector<double> points;
-  for (const double distance : {-tail, -12.0, -4.0, -1.5, 0.0, 1.5, 4.0, 12.0})
-    points.push_back(log_width + distance);
+  std::vector<double> points{-tail, -12, -4, -1.5, 0, 1.5, 4, 12};
   // On both sides of the edge of V_m at φ = 90°.
   for (const double distance : {0.0, 0.02, 0.1, 0.4, 1.0, 2.5, 6.0, 15.0}) {
-    points.push_back(-distance);
-    points.push_back(distance);
+    points.push_back(-distance - log_width);
+    points.push_back(distance - log_width);
   }
-  points.push_back(tail);
+  points.push_back(tail - log_width);
   std::sort(points.begin(), points.end());
   std::vector<Interval<double>> result;
   for (std::size_t i = 0; i + 1 < points.size(); ++i)
-    if (points[i] >= log_width - tail && points[i + 1] > points[i])
-      result.push_back({points[i], points[i + 1], 0});
+    if (points[i] >= -tail && points[i + 1] > points[i]) result.push_back({points[i], points[i + 1], 0});
   return result;
 }
 
 template <class Function>
-Estimate integrate_over_azimuth(const Function& f, double log_width) {
+Ring integrate_over_azimuth(const Function& f, double log_width) {
   const auto integral = integrate<15, 1>(
-      [&](int, double z) { return std::array<double, 1>{f(z)}; }, intervals(log_width), tolerance);
+      [&](int, double y) { return std::array<double, 1>{f(y)}; }, intervals(log_width), tolerance);
   const double value = integral.value[0];
   return {value, value > 0 ? integral.error[0] / value : 0};
 }
 
 // With κ² = (A − B)/(A + B): dφ/(A − B cos φ) = dz/cosh(z − ln κ)/√(A² − B²).
-Estimate lorentzian(const Shadowing& shadowing, const Direction& in, const PolarNode& node) {
+Ring lorentzian(const Shadowing& shadowing, const Direction& in, const PolarNode& node) {
   const Real square = std::exp(node.log_square), u_in = in.sin * in.sin;
   const Real difference = node.out.sin + in.sin > 0 ? node.offset / (node.out.sin + in.sin) : 0;
   const Real sum = node.out.sin + in.sin;
   const double log_width = static_cast<double>(
       (std::log(difference * difference + square) - std::log(sum * sum + square)) / 2);
-  const Estimate integral = integrate_over_azimuth(
-      [&](double z) { return shadowing(z) / std::cosh(z - log_width); }, log_width);
+  const Ring integral = integrate_over_azimuth(
+      [&](double y) { return shadowing(y + log_width) / std::cosh(y); }, log_width);
   const Real root = std::sqrt(node.offset * node.offset + square * (2 * (node.u + u_in) + square));
-  return {static_cast<double>(integral.value / root), integral.error};
+  return {integral.value / root, integral.error};
 }
 
 // d² = (s − s₀)² + 4 s s₀ sin²(φ/2), sin²(φ/2) = 1/(1 + e^{−2z}).
-Estimate gaussian(const Shadowing& shadowing, const Direction& in, const PolarNode& node) {
+Ring gaussian(const Shadowing& shadowing, const Direction& in, const PolarNode& node) {
   const Real square = std::exp(node.log_square);
   const Real sum = node.out.sin + in.sin;
   const Real difference = sum > 0 ? node.offset / sum : 0;
-  if (square == 0) return {};
+  if (square == 0) return {0, 0};
   const Real decay = difference * difference / (4 * square);
-  const double log_ratio = static_cast<double>(std::log(node.out.sin * in.sin) - node.log_square);
-  const Estimate integral = integrate_over_azimuth(
-      [&](double z) {
-        const double log_half_sine = z > 0 ? -std::log1p(std::exp(-2 * z)) : 2 * z - std::log1p(std::exp(2 * z));
-        return shadowing(z) * std::exp(-std::exp(log_ratio + log_half_sine)) / std::cosh(z);
+  // Of width 1/√ratio, or of order one, in φ; s s₀ sin²(φ/2)/p² = e^{2y + excess}/(1 + e^{2z}).
+  const Real log_ratio = std::log(node.out.sin * in.sin) - node.log_square;
+  const Real log_width = std::min<Real>(0, -log_ratio / 2);
+  const double excess = static_cast<double>(log_ratio + 2 * log_width);
+  const double shift = static_cast<double>(log_width);
+  const Ring integral = integrate_over_azimuth(
+      [&](double y) {
+        const double z = y + shift;
+        // dφ/dz = 1/cosh z = width · 2 e^{y}/(1 + e^{2z}), in the form that suits the sign of z.
+        const double log_one_plus = std::log1p(std::exp(-2 * std::fabs(z)));
+        const double exponent = excess + (z > 0 ? 2 * (y - z) : 2 * y) - log_one_plus;
+        return shadowing(z) * 2 * std::exp((z > 0 ? y - 2 * z : y) - log_one_plus - std::exp(exponent));
       },
-      std::min(0.0, -log_ratio / 2));
-  return {static_cast<double>(integral.value * std::exp(-decay)), integral.error};
+      shift);
+  return {integral.value * std::exp(log_width - decay), integral.error};
 }
 
 }  // namespace
 
-Estimate azimuth_integral(const AzimuthLobe& lobe, const Direction& in, const PolarNode& node) {
+Ring azimuth_integral(const AzimuthLobe& lobe, const Direction& in, const PolarNode& node) {
   const Shadowing shadowing(lobe, node);
   return lobe.autocovariance == Autocovariance::gaussian ? gaussian(shadowing, in, node)
                                                          : lorentzian(shadowing, in, node);

@@ -16,8 +16,14 @@ struct AzimuthLobe {
   Real forward_onset;  // −ln E₀ at the incidence
 };
 
-/// ½ ∫₀^{2π} V_m · lobe dφ and its relative error; lobe as 1/D or exp(−¼ d²/ρ′²).
-Estimate azimuth_integral(const AzimuthLobe& lobe, const Direction& in, const PolarNode& node);
+/// A value, which may be below any double, and its relative error.
+struct Ring {
+  Real value;
+  Real error;
+};
+
+/// ½ ∫₀^{2π} V_m · lobe dφ; lobe as 1/D or exp(−¼ d²/ρ′²).
+Ring azimuth_integral(const AzimuthLobe& lobe, const Direction& in, const PolarNode& node);
 
 /// V_m towards the centre of the lobe at θ_s = θ_i.
 Real shadowing_at_peak(const AzimuthLobe& lobe, const Direction& in);

@@ -13,17 +13,15 @@ namespace {
 constexpr Real dhr_tolerance = 1e-12L;
 // N at every node makes the reciprocal variant a thousand times dearer.
 constexpr Real reciprocal_dhr_tolerance = 1e-10L;
-constexpr double bhr_tolerance = 1e-8;
+constexpr double bhr_tolerance = 1e-7;
 
 }  // namespace
 
-// sin²θ at which R has a root or a square root: the critical angle, sin θ = n, and
-// Brewster's, tan θ = n; kinks if k = 0, else the nearest real angle.
+// sin²θ at which R has a square root, the critical angle sin θ = n, or √R_p a kink,
+// Brewster's tan θ = n; with k > 0 these are smooth but may be sharp there.
 std::vector<Real> Model::kinks() const {
-  const Real n = parameters_.n_eff, n_squared = n * n;
-  const Real brewster = n_squared / (1 + n_squared);
   const Real modulus = std::norm(index());
-  return {n_squared, brewster, std::real(index() * index()), modulus / (1 + modulus)};
+  return {std::real(index() * index()), modulus / (1 + modulus)};
 }
 
 std::array<Estimate, 2> Model::lobe_dhr(Lobe lobe, const Direction& in) const {
@@ -39,20 +37,23 @@ std::array<Estimate, 2> Model::lobe_dhr(Lobe lobe, const Direction& in) const {
   const auto strength = [&](const Direction& out) {
     return lobe == Lobe::surface ? mean_reflectance(index(), in, out) : mean_transmittance(index(), in, out);
   };
-  Real azimuth_error = 0;
-  const auto integrand = [&](int segment, Real x) -> std::array<Real, 2> {
+  // s, p and the errors that the azimuth integrals add to them.
+  const auto integrand = [&](int segment, Real x) -> std::array<Real, 4> {
     const PolarNode node = path.node(segment, x);
     const Polarized amplitudes = strength(node.out);
     if (amplitudes.s == 0 && amplitudes.p == 0) return {};
-    const Estimate ring = azimuth_integral(azimuth, in, node);
-    azimuth_error = std::max<Real>(azimuth_error, ring.error);
+    const Ring ring = azimuth_integral(azimuth, in, node);
     Real weight = ring.value * node.jacobian;
     if (reciprocal && weight > 0)
       weight *= std::exp((log_normalization_at(lobe, node.out).log - log_n.log) / 2);
-    return {amplitudes.s * weight, amplitudes.p * weight};
+    const Real s = amplitudes.s * weight, p = amplitudes.p * weight;
+    return {s, p, s * ring.error, p * ring.error};
   };
-  const auto integral = integrate<15, 2>(integrand, path.intervals(),
-                                         reciprocal ? reciprocal_dhr_tolerance : dhr_tolerance, 40);
+  // A Gaussian narrower than the core has nothing outside it.
+  const bool point = path.core() > 0 && azimuth.autocovariance == Autocovariance::gaussian;
+  const auto intervals = point ? std::vector<Interval<Real>>{} : path.intervals();
+  const auto integral =
+      integrate<15, 4, 2>(integrand, intervals, reciprocal ? reciprocal_dhr_tolerance : dhr_tolerance, 40);
   Real core = 0;
   if (path.core() > 0)
     core = std::exp(log_core_integral(switches_.autocovariance, path) + log_n.log) * shadowing_at_peak(azimuth, in);
@@ -60,11 +61,11 @@ std::array<Estimate, 2> Model::lobe_dhr(Lobe lobe, const Direction& in) const {
   const auto estimate = [&](int k, Real peak) -> Estimate {
     const Real scale = std::exp(log_n.log);
     const Real outside = integral.value[k] > 0 ? integral.value[k] * scale : 0;
-    const Real error = integral.value[k] > 0 ? integral.error[k] * scale : 0;
+    const Real error = integral.value[k] > 0 ? (integral.error[k] + integral.value[k + 2]) * scale : 0;
     const Real sum = outside + peak * core;
     if (!(sum > 0)) return {static_cast<double>(sum), 0};
     return {static_cast<double>(amplitude(lobe) * sum),
-            static_cast<double>(error / sum + log_n.error + azimuth_error)};
+            static_cast<double>(error / sum + log_n.error)};
   };
   return {estimate(0, at_peak.s), estimate(1, at_peak.p)};
 }
@@ -86,7 +87,7 @@ Reflectance Model::dhr(double theta_i) const {
 
 Reflectance Model::bhr() const {
   constexpr double degree = std::numbers::pi / 180;
-  std::vector<double> points{0, 45, 70, 85, 90};
+  std::vector<double> points{0, 75, 90};
   for (const Real u : kinks())
     if (u > 0 && u < 1) points.push_back(static_cast<double>(std::asin(std::sqrt(u)) / degree));
   std::sort(points.begin(), points.end());

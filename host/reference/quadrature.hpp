@@ -33,9 +33,13 @@ struct Integral {
   std::array<T, Components> error{};  // absolute
 };
 
-/// Integrates f(segment, x) -> array<T, Components> over all intervals to a
-/// relative tolerance per component, or to `passes` bisections of an interval.
-template <unsigned Points, std::size_t Components, class T, class Function>
+/// Bounds the work on an integrand whose noise exceeds the tolerance.
+inline constexpr std::size_t most_pieces = 4000;
+
+/// Integrates f(segment, x) -> array<T, Components> over all intervals to a relative
+/// tolerance of each of the first Guiding components, or as far as `passes`
+/// bisections of an interval and `most_pieces` go; the error says how far that was.
+template <unsigned Points, std::size_t Components, std::size_t Guiding = Components, class T, class Function>
 Integral<T, Components> integrate(const Function& f, const std::vector<Interval<T>>& intervals,
                                   T tolerance, int passes = 60) {
   using Kronrod = boost::math::quadrature::gauss_kronrod<T, Points>;
@@ -93,9 +97,9 @@ Integral<T, Components> integrate(const Function& f, const std::vector<Interval<
         sum.error[k] += piece.error[k];
       }
     bool done = true;
-    for (std::size_t k = 0; k < Components; ++k)
+    for (std::size_t k = 0; k < Guiding; ++k)
       if (sum.error[k] > tolerance * std::fabs(sum.value[k])) done = false;
-    if (done || pass == passes) return sum;
+    if (done || pass == passes || pieces.size() > most_pieces) return sum;
 
     std::vector<Piece> refined;
     bool changed = false;
@@ -103,7 +107,7 @@ Integral<T, Components> integrate(const Function& f, const std::vector<Interval<
       const Interval<T>& interval = piece.interval;
       const T middle = (interval.begin + interval.end) / 2;
       bool spoils = false;
-      for (std::size_t k = 0; k < Components; ++k)
+      for (std::size_t k = 0; k < Guiding; ++k)
         if (piece.error[k] > 8 * std::numeric_limits<T>::epsilon() * std::fabs(piece.value[k]) &&
             piece.error[k] * T(2 * pieces.size()) > tolerance * std::fabs(sum.value[k]))
           spoils = true;

@@ -1,0 +1,66 @@
+#include "host/energy.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "host/evaluate.hpp"
+#include "host/numbers.hpp"
+
+#include <fmt/format.h>
+
+namespace brdftab {
+
+std::vector<std::string> energy_warnings(const Material& material, const Band& band, std::span<const double> theta_i,
+                                         const Dhr& dhr, const std::vector<Polarization>& polarizations) {
+  std::vector<std::string> warnings;
+  for (const Polarization polarization : polarizations) {
+    std::size_t worst = 0;
+    std::size_t above = 0;
+    for (std::size_t k = 0; k < theta_i.size(); ++k) {
+      if (dhr.total(k, polarization) > dhr.total(worst, polarization)) worst = k;
+      if (dhr.total(k, polarization) > 1) ++above;
+    }
+    if (above == 0) continue;
+    std::size_t lobe = 0;
+    for (std::size_t k = 1; k < 3; ++k)
+      if (dhr.lobe(k, worst, polarization) > dhr.lobe(lobe, worst, polarization)) lobe = k;
+    warnings.push_back(fmt::format(
+        "{}{}: DHR is above 1 at {} of {} theta_i ({} light): {:.6g} at theta_i = {} degrees, where the {} lobe has {:.6g}",
+        material.name(), band.wavelength_nm ? fmt::format(", {} nm", shortest(*band.wavelength_nm)) : "", above, theta_i.size(),
+        polarization_names[static_cast<std::size_t>(polarization)], dhr.total(worst, polarization), shortest(theta_i[worst]),
+        lobe_names[lobe], dhr.lobe(lobe, worst, polarization)));
+  }
+  return warnings;
+}
+
+Reciprocity reciprocity(const Engine& engine, const Band& band, const ModelSwitches& switches) {
+  std::vector<DirectionPair> pairs;
+  for (int i = 5; i <= 85; i += 5)
+    for (int s = i + 5; s <= 85; s += 5)
+      for (int phi = 0; phi <= 180; phi += 15) {
+        pairs.push_back({double(i), double(s), double(phi), 0});
+        pairs.push_back({double(s), double(i), double(phi), 0});
+      }
+  const auto f = evaluate(engine, band, switches, pairs);
+  Reciprocity result;
+  std::vector<double> defects;
+  for (std::size_t k = 0; k < pairs.size(); k += 2) {
+    const double forth = f[k].unpolarized();
+    const double back = f[k + 1].unpolarized();
+    // Where the model scatters nothing either way there is no defect.
+    const double defect = forth == back ? 0 : std::abs(std::log(forth / back));
+    if (defect > result.maximum) {
+      result.maximum = defect;
+      result.theta_i = pairs[k].theta_i;
+      result.theta_s = pairs[k].theta_s;
+      result.phi = pairs[k].phi;
+    }
+    defects.push_back(defect);
+  }
+  std::sort(defects.begin(), defects.end());
+  result.median = defects[defects.size() / 2];
+  result.percentile_90 = defects[defects.size() * 9 / 10];
+  return result;
+}
+
+}  // namespace brdftab
