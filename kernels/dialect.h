@@ -23,7 +23,7 @@ typedef float real;
 #else
 
 #include <cmath>
-using std::exp, std::expm1, std::fabs, std::fma, std::fmax, std::fmin, std::log, std::log1p, std::rint, std::sqrt;
+using std::exp, std::expm1, std::fabs, std::fma, std::fmax, std::fmin, std::isfinite, std::log, std::log1p, std::rint, std::sqrt;
 #define REAL(literal) static_cast<real>(literal)
 #define FN inline
 #define CONSTANT static constexpr

@@ -65,7 +65,7 @@ FN March march_advance(March march, real kronrod, real gauss, real largest_step,
     error = ratio < REAL(1.0) ? fmax(value * ratio * sqrt(ratio), REAL(0.01) * difference) : fmax(difference, value);
   }
   march.panels += 1;
-  if (!(value < INFINITY)) {
+  if (!isfinite(value)) {
     march.integral = value;
     march.position = REAL(1.0);
   } else if (error <= fmax(tolerance * (value + march.integral), negligible) || march.step <= SMALLEST_PANEL || march.panels > MOST_PANELS) {
