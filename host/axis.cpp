@@ -21,8 +21,7 @@ Axis::Axis(AxisKind kind, std::vector<double> nodes) : kind_(kind), nodes_(std::
     throw BadInput("{} has {} nodes: at most {} are allowed", row.name, nodes_.size(), longest_axis);
   for (std::size_t k = 0; k < nodes_.size(); ++k) {
     const double angle = nodes_[k];
-    const bool in_range =
-        angle >= row.minimum && (row.includes_maximum ? angle <= row.maximum : angle < row.maximum);
+    const bool in_range = angle >= row.minimum && (row.includes_maximum ? angle <= row.maximum : angle < row.maximum);
     if (!in_range) throw BadInput("{} must lie in {}; {} does not", row.name, row.range(), shortest(angle));
     if (k > 0 && !(angle > nodes_[k - 1]))
       throw BadInput("{} must increase strictly; {} follows {}", row.name, shortest(angle), shortest(nodes_[k - 1]));
@@ -87,10 +86,14 @@ Axis Axis::parse(AxisKind kind, std::string_view text) {
 
 Axis& Grid::operator[](AxisKind kind) {
   switch (kind) {
-    case AxisKind::theta_i: return theta_i;
-    case AxisKind::phi_i: return phi_i;
-    case AxisKind::theta_s: return theta_s;
-    default: return phi_s;
+    case AxisKind::theta_i:
+      return theta_i;
+    case AxisKind::phi_i:
+      return phi_i;
+    case AxisKind::theta_s:
+      return theta_s;
+    default:
+      return phi_s;
   }
 }
 

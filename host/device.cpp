@@ -84,8 +84,7 @@ Device select_device(const std::optional<std::string>& selector) {
     return gpu != devices.end() ? *gpu : devices.front();
   }
   for (const auto& device : devices)
-    if (wanted == std::to_string(device.index) || wanted == fmt::format("{}:{}", device.platform, device.ordinal))
-      return device;
+    if (wanted == std::to_string(device.index) || wanted == fmt::format("{}:{}", device.platform, device.ordinal)) return device;
   for (const auto& device : devices)
     if (lower(device.platform_name + " " + device.name).find(lower(wanted)) != std::string::npos) return device;
   std::vector<std::string> known;
@@ -97,15 +96,33 @@ Device select_device(const std::optional<std::string>& selector) {
 std::string describe(const cl::Error& error) {
   std::string_view cause;
   switch (error.err()) {
-    case CL_DEVICE_NOT_AVAILABLE: cause = "the device is not available"; break;
-    case CL_COMPILER_NOT_AVAILABLE: cause = "the driver has no compiler"; break;
-    case CL_MEM_OBJECT_ALLOCATION_FAILURE: cause = "the device has too little memory"; break;
-    case CL_OUT_OF_RESOURCES: cause = "the device is out of resources"; break;
-    case CL_OUT_OF_HOST_MEMORY: cause = "the host is out of memory"; break;
-    case CL_BUILD_PROGRAM_FAILURE: cause = "the kernels do not build"; break;
-    case CL_INVALID_BUFFER_SIZE: cause = "a buffer is larger than the device allows"; break;
-    case CL_INVALID_WORK_GROUP_SIZE: cause = "a work-group is larger than the device allows"; break;
-    default: cause = "OpenCL error"; break;
+    case CL_DEVICE_NOT_AVAILABLE:
+      cause = "the device is not available";
+      break;
+    case CL_COMPILER_NOT_AVAILABLE:
+      cause = "the driver has no compiler";
+      break;
+    case CL_MEM_OBJECT_ALLOCATION_FAILURE:
+      cause = "the device has too little memory";
+      break;
+    case CL_OUT_OF_RESOURCES:
+      cause = "the device is out of resources";
+      break;
+    case CL_OUT_OF_HOST_MEMORY:
+      cause = "the host is out of memory";
+      break;
+    case CL_BUILD_PROGRAM_FAILURE:
+      cause = "the kernels do not build";
+      break;
+    case CL_INVALID_BUFFER_SIZE:
+      cause = "a buffer is larger than the device allows";
+      break;
+    case CL_INVALID_WORK_GROUP_SIZE:
+      cause = "a work-group is larger than the device allows";
+      break;
+    default:
+      cause = "OpenCL error";
+      break;
   }
   return fmt::format("{} ({}, {})", cause, error.what(), error.err());
 }

@@ -35,9 +35,11 @@ Columns read_header(const std::vector<std::string_view>& cells, const std::strin
   const Columns columns{column("theta_i_deg"), column("theta_s_deg"), column("phi_deg"),
                         column("phi_s_deg"),   column("phi_i_deg"),   cells.size()};
   for (const auto& [present, name] : {std::pair{columns.theta_i, "theta_i_deg"}, {columns.theta_s, "theta_s_deg"}})
-    if (!present) throw BadInput("{}: the column {} is missing; a header names theta_i_deg, theta_s_deg and phi_deg", where, name);
+    if (!present)
+      throw BadInput("{}: the column {} is missing; a header names theta_i_deg, theta_s_deg and phi_deg", where, name);
   if (!columns.phi && !columns.phi_s)
-    throw BadInput("{}: the column phi_deg (or phi_s_deg) is missing; a header names theta_i_deg, theta_s_deg and phi_deg", where);
+    throw BadInput("{}: the column phi_deg (or phi_s_deg) is missing; a header names theta_i_deg, theta_s_deg and phi_deg",
+                   where);
   return columns;
 }
 
@@ -46,8 +48,8 @@ double angle(std::string_view cell, std::string_view column, double minimum, dou
   const auto value = parse_number(cell);
   const bool in_range = value && *value >= minimum && *value <= maximum && (closed || (*value > minimum && *value < maximum));
   if (!in_range)
-    throw BadInput("{}: {} = {}: must be a number {} {} to {} degrees", where, column, excerpt(cell),
-                   closed ? "from" : "between", minimum, maximum);
+    throw BadInput("{}: {} = {}: must be a number {} {} to {} degrees", where, column, excerpt(cell), closed ? "from" : "between",
+                   minimum, maximum);
   return *value == 0 ? 0 : *value;
 }
 

@@ -1,12 +1,12 @@
 #include "host/energy.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "host/evaluate.hpp"
 #include "host/numbers.hpp"
-
-#include <fmt/format.h>
 
 namespace brdftab {
 

@@ -26,9 +26,8 @@ std::size_t row_group(const Device& device, std::size_t x) {
 }  // namespace
 
 KernelMaterial::KernelMaterial(const Parameters& parameters, const ModelSwitches& switches, Precision working)
-    : constants_(working == Precision::float64
-                     ? bytes(material_constants<kernel_f64::MaterialConstants>(parameters))
-                     : bytes(material_constants<kernel_f32::MaterialConstants>(parameters))),
+    : constants_(working == Precision::float64 ? bytes(material_constants<kernel_f64::MaterialConstants>(parameters))
+                                               : bytes(material_constants<kernel_f32::MaterialConstants>(parameters))),
       variant_(bytes(model_variant<kernel_f64::ModelVariant>(switches))) {}
 
 void KernelMaterial::set(cl::Kernel& kernel, cl_uint first, bool with_variant) const {
@@ -36,8 +35,7 @@ void KernelMaterial::set(cl::Kernel& kernel, cl_uint first, bool with_variant) c
   if (with_variant) kernel.setArg(first + 1, variant_.size(), variant_.data());
 }
 
-Engine::Engine(Device device, Precision working, Precision table)
-    : device_(std::move(device)), working_(working), table_(table) {
+Engine::Engine(Device device, Precision working, Precision table) : device_(std::move(device)), working_(working), table_(table) {
   if ((working == Precision::float64 || table == Precision::float64) && !device_.has_fp64)
     throw Error(ExitStatus::device, "{} has no fp64: it takes --precision float32 only", device_.name);
   build_options_ = fmt::format("-cl-std=CL1.2 -DBRDFTAB_WORKING_DOUBLE={} -DBRDFTAB_TABLE_DOUBLE={}",

@@ -24,12 +24,13 @@ Distinct distinct(const std::vector<double>& all) {
   std::sort(result.values.begin(), result.values.end());
   result.values.erase(std::unique(result.values.begin(), result.values.end()), result.values.end());
   for (const double value : all)
-    result.index.push_back(static_cast<int>(std::lower_bound(result.values.begin(), result.values.end(), value) - result.values.begin()));
+    result.index.push_back(
+        static_cast<int>(std::lower_bound(result.values.begin(), result.values.end(), value) - result.values.begin()));
   return result;
 }
 
-void evaluate_part(const Engine& engine, const Band& band, const ModelSwitches& switches,
-                   std::span<const DirectionPair> pairs, std::vector<PolarizedBrdf>& out) {
+void evaluate_part(const Engine& engine, const Band& band, const ModelSwitches& switches, std::span<const DirectionPair> pairs,
+                   std::vector<PolarizedBrdf>& out) {
   const std::size_t padded = (pairs.size() + group - 1) / group * group;
   std::vector<double> theta_i(padded), theta_s(padded), phi(padded);
   for (std::size_t k = 0; k < padded; ++k) {
@@ -53,7 +54,8 @@ void evaluate_part(const Engine& engine, const Band& band, const ModelSwitches& 
   const std::array angles_of_pairs{engine.upload(theta_i), engine.upload(theta_s), engine.upload(phi)};
   const std::array n_of_pairs{engine.upload(incidence), engine.upload(scatter)};
   cl::Kernel kernel = engine.kernel("evaluate");
-  set_arguments(kernel, angles_of_pairs[0], angles_of_pairs[1], angles_of_pairs[2], n_of_pairs[0], n_of_pairs[1], n.on_device, static_cast<cl_int>(thetas.values.size()), f_s, f_p);
+  set_arguments(kernel, angles_of_pairs[0], angles_of_pairs[1], angles_of_pairs[2], n_of_pairs[0], n_of_pairs[1], n.on_device,
+                static_cast<cl_int>(thetas.values.size()), f_s, f_p);
   KernelMaterial(band.parameters, switches, engine.working()).set(kernel, 9);
   engine.run_groups(kernel, padded, group);
   const auto s = engine.download(f_s, padded);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "host/error.hpp"
 #include "host/interrupt.hpp"
 #include "host/partial_file.hpp"
 #include "host/plan.hpp"
@@ -11,9 +12,22 @@
 #include "host/spot_check.hpp"
 
 namespace brdftab {
+namespace {
 
-GenerateSummary generate(const Engine& engine, const Material& material, const Grid& grid,
-                         const std::filesystem::path& target, const CreateTable& create, const GenerateOptions& options) {
+// A writer knows the partial file only; its user, the table's name.
+template <class Work>
+void naming(const std::filesystem::path& target, Work work) {
+  try {
+    work();
+  } catch (const FileError& error) {
+    throw FileError("{}: cannot be written: {}", target.string(), error.what());
+  }
+}
+
+}  // namespace
+
+GenerateSummary generate(const Engine& engine, const Material& material, const Grid& grid, const std::filesystem::path& target,
+                         const CreateTable& create, const GenerateOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   const std::size_t node_bytes = bytes_of(engine.table());
   const std::size_t samples = grid.directions() * material.bands().size() * options.polarizations.size();
@@ -33,7 +47,8 @@ GenerateSummary generate(const Engine& engine, const Material& material, const G
       std::max_element(cuts.begin(), cuts.end(), [](const Slab& a, const Slab& b) { return a.nodes() < b.nodes(); })->nodes();
   TableFindings findings;
   SpotCheck spot_check(content);
-  const auto writer = create(file.path(), content);
+  std::unique_ptr<TableWriter> writer;
+  naming(target, [&] { writer = create(file.path(), content); });
   Progress progress(target.filename().string(), samples, node_bytes, options.quiet);
   std::size_t done = 0;
   {
@@ -47,14 +62,15 @@ GenerateSummary generate(const Engine& engine, const Material& material, const G
           const auto mapped = ring.map(slab.nodes() * node_bytes);
           plan.check(slab, mapped);
           spot_check.take(polarization, band, slab, mapped);
-          ring.submit([&writer, polarization, band, slab](std::span<const std::byte> bytes) {
-            writer->write(polarization, band, slab, bytes);
+          ring.submit([&, polarization, band, slab](std::span<const std::byte> bytes) {
+            naming(target, [&] { writer->write(polarization, band, slab, bytes); });
           });
           done += slab.nodes();
           progress.report(done);
         }
       const Band& this_band = material.bands()[band];
-      for (auto& warning : energy_warnings(material, this_band, grid.theta_i.nodes(), plan.integrals().dhr, options.polarizations))
+      for (auto& warning :
+           energy_warnings(material, this_band, grid.theta_i.nodes(), plan.integrals().dhr, options.polarizations))
         findings.energy_warnings.push_back(std::move(warning));
       findings.integrals.push_back(plan.integrals());
       findings.reciprocity.push_back(reciprocity(engine, this_band, material.switches()));
@@ -63,7 +79,7 @@ GenerateSummary generate(const Engine& engine, const Material& material, const G
   }
   findings.accuracy = spot_check.compare();
   stop_if_interrupted();
-  writer->finish(findings);
+  naming(target, [&] { writer->finish(findings); });
   file.commit();
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   return {samples, samples * node_bytes, elapsed.count(), std::move(findings)};

@@ -31,7 +31,7 @@ using CreateTable = std::function<std::unique_ptr<TableWriter>(const std::filesy
 
 /// Writes the table beside `target` and renames it when it is complete; peak memory does not depend on its size.
 /// Throws BadInput where a node is not finite, FileError where writing fails, Error (130) when interrupted.
-GenerateSummary generate(const Engine& engine, const Material& material, const Grid& grid,
-                         const std::filesystem::path& target, const CreateTable& create, const GenerateOptions& options);
+GenerateSummary generate(const Engine& engine, const Material& material, const Grid& grid, const std::filesystem::path& target,
+                         const CreateTable& create, const GenerateOptions& options);
 
 }  // namespace brdftab

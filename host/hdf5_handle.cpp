@@ -1,5 +1,8 @@
 #include "host/hdf5_handle.hpp"
 
+#include <cstdlib>
+#include <system_error>
+
 #include "host/error.hpp"
 
 namespace brdftab {
@@ -16,7 +19,10 @@ std::string innermost_cause() {
         return 0;
       },
       &cause);
-  return cause.empty() ? "HDF5 gives no cause" : cause;
+  // The file driver tells of errno over several lines.
+  if (const auto at = cause.find("errno = "); at != std::string::npos)
+    return std::generic_category().message(std::atoi(cause.c_str() + at + 8));
+  return cause.empty() ? "HDF5 gives no cause" : cause.substr(0, cause.find('\n'));
 }
 
 }  // namespace
@@ -25,7 +31,12 @@ void hdf5_check(herr_t status, std::string_view what) {
   if (status < 0) throw FileError("{}: {}", what, innermost_cause());
 }
 
-void hdf5_quiet() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
+void hdf5_quiet() {
+  // HDF5 would flush open files once more at exit, and crash where that has failed before.
+  static const herr_t once = H5dont_atexit();
+  static_cast<void>(once);
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
 
 Hdf5Handle::Hdf5Handle(hid_t id, std::string_view what) : id_(id) {
   if (id < 0) throw FileError("{}: {}", what, innermost_cause());

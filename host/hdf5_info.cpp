@@ -49,8 +49,10 @@ std::vector<AttributeInfo> attributes_of(hid_t object) {
       const auto shape = shape_of(space);
       std::vector<double> values(shape.empty() ? 1 : shape[0]);
       hdf5_check(H5Aread(attribute, H5T_NATIVE_DOUBLE, values.data()), name);
-      if (shape.empty()) attributes.push_back({name, values[0]});
-      else attributes.push_back({name, values});
+      if (shape.empty())
+        attributes.push_back({name, values[0]});
+      else
+        attributes.push_back({name, values});
     }
   }
   return attributes;

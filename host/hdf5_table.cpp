@@ -11,13 +11,9 @@
 namespace brdftab {
 namespace {
 
-hid_t stored_type(Precision precision) {
-  return precision == Precision::float64 ? H5T_IEEE_F64LE : H5T_IEEE_F32LE;
-}
+hid_t stored_type(Precision precision) { return precision == Precision::float64 ? H5T_IEEE_F64LE : H5T_IEEE_F32LE; }
 
-hid_t memory_type(Precision precision) {
-  return precision == Precision::float64 ? H5T_NATIVE_DOUBLE : H5T_NATIVE_FLOAT;
-}
+hid_t memory_type(Precision precision) { return precision == Precision::float64 ? H5T_NATIVE_DOUBLE : H5T_NATIVE_FLOAT; }
 
 // netCDF and h5netcdf keep the order of creation, and can append, only if the root tracks it.
 Hdf5Handle create_file(const std::filesystem::path& path) {
@@ -87,8 +83,9 @@ class Hdf5Table : public TableWriter {
     }
     write_attribute(root, "normalization_relative_error", normalization_error);
     write_attribute(root, "dhr_relative_error", dhr_error);
-    write_attribute(root, "energy", findings.energy_warnings.empty() ? "DHR is at most 1 at every theta_i"
-                                                                     : fmt::format("{}", fmt::join(findings.energy_warnings, "; ")));
+    write_attribute(root, "energy",
+                    findings.energy_warnings.empty() ? "DHR is at most 1 at every theta_i"
+                                                     : fmt::format("{}", fmt::join(findings.energy_warnings, "; ")));
     write_attribute(root, "accuracy", "nodes of this table compared with the scalar reference while it was made");
     write_attribute(root, "accuracy_nodes", static_cast<double>(findings.accuracy.nodes));
     write_attribute(root, "accuracy_max_relative_error", findings.accuracy.max_relative_error);
@@ -129,8 +126,10 @@ class Hdf5Table : public TableWriter {
     const auto write = [&](const std::string& name, double Reciprocity::*member) {
       std::vector<double> values;
       for (const auto& band : bands) values.push_back(band.*member);
-      if (values.size() == 1) write_attribute(root, name, values[0]);
-      else write_attribute(root, name, values);
+      if (values.size() == 1)
+        write_attribute(root, name, values[0]);
+      else
+        write_attribute(root, name, values);
     };
     write_attribute(root, "reciprocity", reciprocity_grid);
     write("reciprocity_median", &Reciprocity::median);
@@ -167,8 +166,8 @@ class Hdf5Table : public TableWriter {
     text("working_precision", name_of(content.working));
   }
 
-  void create_scale(const std::string& name, std::span<const double> nodes, std::string_view units,
-                    std::string_view long_name, std::string_view standard_name) {
+  void create_scale(const std::string& name, std::span<const double> nodes, std::string_view units, std::string_view long_name,
+                    std::string_view standard_name) {
     const hsize_t count = nodes.size();
     const Hdf5Handle space(H5Screate_simple(1, &count, nullptr), name);
     Hdf5Handle dataset(H5Dcreate2(file_, name.c_str(), H5T_IEEE_F64LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), name);
@@ -191,8 +190,7 @@ class Hdf5Table : public TableWriter {
     hdf5_check(H5Pset_alloc_time(creation, H5D_ALLOC_TIME_EARLY), name);
     hdf5_check(H5Pset_fill_time(creation, H5D_FILL_TIME_NEVER), name);
     Hdf5Handle dataset(H5Dcreate2(file_, name.c_str(), type, space, H5P_DEFAULT, creation, H5P_DEFAULT), path_.string());
-    for (unsigned k = 0; k < dimensions.size(); ++k)
-      hdf5_check(H5DSattach_scale(dataset, scales_.at(dimensions[k]), k), name);
+    for (unsigned k = 0; k < dimensions.size(); ++k) hdf5_check(H5DSattach_scale(dataset, scales_.at(dimensions[k]), k), name);
     write_attribute(dataset, "units", units);
     write_attribute(dataset, "long_name", long_name);
     return dataset;

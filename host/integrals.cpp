@@ -41,10 +41,11 @@ Dhr device_dhr(const Engine& engine, const Band& band, const ModelSwitches& swit
   for (std::size_t lobe = 0; lobe < 3; ++lobe)
     for (std::size_t k = 0; k < theta.size(); ++k)
       if (!std::isfinite(dhr.lobe(lobe, k, Polarization::unpolarized)) || !std::isfinite(dhr.error[lobe][k]))
-        throw BadInput("DHR of the {} lobe is not finite at theta_i = {} degrees: rho_{} = {}, w = {} and n = {} leave it no width",
-                       lobe_names[lobe], shortest(theta[k]), lobe_names[lobe],
-                       shortest(band.parameters.*parameter_table[3 + 2 * lobe].member), shortest(band.parameters.w),
-                       shortest(band.parameters.n));
+        throw BadInput(
+            "DHR of the {} lobe is not finite at theta_i = {} degrees: rho_{} = {}, w = {} and n = {} leave it no width",
+            lobe_names[lobe], shortest(theta[k]), lobe_names[lobe],
+            shortest(band.parameters.*parameter_table[3 + 2 * lobe].member), shortest(band.parameters.w),
+            shortest(band.parameters.n));
   return dhr;
 }
 
@@ -108,8 +109,8 @@ void integrate_panels(const Engine& engine, const Band& band, const ModelSwitche
     for (const RuleNode& node : nodes) {
       const double z = panel.begin + (panel.end - panel.begin) * 0.5 * (1 + node.x);
       // 2 cos sin = sin 2 theta; d theta in radians.
-      const double weight = std::sin(theta[k] * std::numbers::pi / 90) * panel.theta_per_z(z) * std::numbers::pi / 180 *
-                            0.5 * (panel.end - panel.begin);
+      const double weight = std::sin(theta[k] * std::numbers::pi / 90) * panel.theta_per_z(z) * std::numbers::pi / 180 * 0.5 *
+                            (panel.end - panel.begin);
       const double s = at.dhr.total(k, Polarization::s);
       const double p = at.dhr.total(k, Polarization::p);
       panel.s += node.kronrod * weight * s;
@@ -120,7 +121,8 @@ void integrate_panels(const Engine& engine, const Band& band, const ModelSwitche
     // As QUADPACK estimates the error of the finer rule, and as kernels/quadrature.h does.
     const double value = panel.s + panel.p;
     const double difference = std::abs(value - gauss);
-    if (value > 0) panel.error = std::min(difference, std::max(value * std::pow(200 * difference / value, 1.5), 0.01 * difference));
+    if (value > 0)
+      panel.error = std::min(difference, std::max(value * std::pow(200 * difference / value, 1.5), 0.01 * difference));
   }
 }
 

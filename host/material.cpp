@@ -35,13 +35,20 @@ std::string joined(const std::vector<std::string_view>& words) { return fmt::for
 
 std::string_view type_name(const toml::node& node) {
   switch (node.type()) {
-    case toml::node_type::table: return "a table";
-    case toml::node_type::array: return "an array";
-    case toml::node_type::string: return "a string";
-    case toml::node_type::integer: return "an integer";
-    case toml::node_type::floating_point: return "a number";
-    case toml::node_type::boolean: return "a boolean";
-    default: return "a date or time";
+    case toml::node_type::table:
+      return "a table";
+    case toml::node_type::array:
+      return "an array";
+    case toml::node_type::string:
+      return "a string";
+    case toml::node_type::integer:
+      return "an integer";
+    case toml::node_type::floating_point:
+      return "a number";
+    case toml::node_type::boolean:
+      return "a boolean";
+    default:
+      return "a date or time";
   }
 }
 
@@ -89,7 +96,8 @@ class MaterialReader {
   }
 
   void check_is_text() const {
-    if (trimmed(material_.text_).empty()) throw BadInput("{}:1:1: the file is empty; a material needs a name and [parameters]", source_);
+    if (trimmed(material_.text_).empty())
+      throw BadInput("{}:1:1: the file is empty; a material needs a name and [parameters]", source_);
     for (std::size_t line = 0; line < lines_.size(); ++line)
       for (std::size_t column = 0; column < lines_[line].size(); ++column)
         if (const auto c = static_cast<unsigned char>(lines_[line][column]); (c < 0x20 && c != '\t' && c != '\r') || c == 0x7f)
@@ -111,9 +119,8 @@ class MaterialReader {
     for (const auto& [key, node] : table) {
       const std::string_view name = key.str();
       if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-      const auto nearest = *std::min_element(known.begin(), known.end(), [&](auto a, auto b) {
-        return edit_distance(name, a) < edit_distance(name, b);
-      });
+      const auto nearest = *std::min_element(known.begin(), known.end(),
+                                             [&](auto a, auto b) { return edit_distance(name, a) < edit_distance(name, b); });
       const bool is_typo = edit_distance(name, nearest) <= std::max<std::size_t>(2, nearest.size() / 3) && nearest.size() > 2;
       fail(key.source(), fmt::format("{}{} = {}: unknown key{}; allowed: {}", prefix, excerpt(name), value_text(node),
                                      is_typo ? fmt::format("; did you mean {}?", nearest) : "", joined(known)));
@@ -162,8 +169,7 @@ class MaterialReader {
 
   void read_parameters(const toml::table& root) {
     const toml::table* table = optional_table(root, "parameters");
-    if (!table)
-      fail(root.source(), fmt::format("[parameters] is missing: it must give {}", joined(parameter_names())));
+    if (!table) fail(root.source(), fmt::format("[parameters] is missing: it must give {}", joined(parameter_names())));
     check_keys(*table, "parameters.", parameter_names());
     Parameters parameters{};
     for (const auto& row : parameter_table) {
@@ -262,9 +268,7 @@ class MaterialReader {
   std::vector<std::string_view> lines_;
 };
 
-Material Material::parse(std::string text, const std::string& source) {
-  return MaterialReader(std::move(text), source).read();
-}
+Material Material::parse(std::string text, const std::string& source) { return MaterialReader(std::move(text), source).read(); }
 
 Material Material::read(const std::filesystem::path& file) {
   std::string text;
@@ -277,8 +281,7 @@ Material Material::read(const std::filesystem::path& file) {
     take(std::cin);
   } else {
     std::error_code error;
-    if (std::filesystem::is_directory(file, error))
-      throw FileError("{}: is a folder, not a material file", file.string());
+    if (std::filesystem::is_directory(file, error)) throw FileError("{}: is a folder, not a material file", file.string());
     std::ifstream in(file, std::ios::binary);
     if (!in) throw FileError("{}: cannot be opened: {}", file.string(), std::generic_category().message(errno));
     take(in);

@@ -114,8 +114,8 @@ void Plan::tabulate_pairs(const Slab& slab, Polarization polarization) {
   cl::Kernel kernel = engine_.kernel(gaussian_ ? "gaussian_pairs" : "lorentzian_pairs");
   const Normalizations& scatter = normalization_s_ ? *normalization_s_ : integrals_.normalization;
   set_arguments(kernel, polar_i_, polar_s_, integrals_.normalization.on_device, as_int(grid_.theta_i.size()), scatter.on_device,
-                as_int(normalization_s_ ? grid_.theta_s.size() : 0), as_int(slab.theta_i.begin),
-                as_int(slab.theta_s.begin), pairs_, alarms_, as_int(static_cast<std::size_t>(polarization)));
+                as_int(normalization_s_ ? grid_.theta_s.size() : 0), as_int(slab.theta_i.begin), as_int(slab.theta_s.begin),
+                pairs_, alarms_, as_int(static_cast<std::size_t>(polarization)));
   kernel_material_.set(kernel, 11);
   engine_.run_small(kernel, {slab.theta_s.size(), slab.theta_i.size(), 1});
 }
@@ -125,8 +125,7 @@ void Plan::tabulate(const Slab& slab, Polarization polarization, const cl::Buffe
   prepare_shadowing(slab);
   tabulate_pairs(slab, polarization);
 
-  const std::size_t rows_bytes =
-      slab.theta_i.size() * slab.theta_s.size() * azimuths_.size() * bytes_of(engine_.table());
+  const std::size_t rows_bytes = slab.theta_i.size() * slab.theta_s.size() * azimuths_.size() * bytes_of(engine_.table());
   if (spread_ && rows_bytes > rows_bytes_) {
     rows_ = engine_.buffer(rows_bytes);
     rows_bytes_ = rows_bytes;
@@ -138,8 +137,8 @@ void Plan::tabulate(const Slab& slab, Polarization polarization, const cl::Buffe
   const cl_int first_i = as_int(slab.theta_i.begin);
   cl::Kernel kernel = engine_.kernel(gaussian_ ? "gaussian_samples" : "lorentzian_samples");
   if (gaussian_)
-    set_arguments(kernel, pairs_, incidence_shadowing_, scatter_shadowing_, azimuth_, rows, as_int(azimuths_.size()),
-                  first_i, surface_shadowed, subsurface_shadowed);
+    set_arguments(kernel, pairs_, incidence_shadowing_, scatter_shadowing_, azimuth_, rows, as_int(azimuths_.size()), first_i,
+                  surface_shadowed, subsurface_shadowed);
   else
     set_arguments(kernel, pairs_, incidence_shadowing_, scatter_shadowing_, sin2_half_, cos2_half_, forward_, rows,
                   as_int(azimuths_.size()), first_i, surface_shadowed, subsurface_shadowed);
@@ -147,8 +146,7 @@ void Plan::tabulate(const Slab& slab, Polarization polarization, const cl::Buffe
 
   if (spread_) {
     cl::Kernel spread = engine_.kernel("spread_azimuths");
-    set_arguments(spread, rows_, azimuth_of_, samples, as_int(azimuths_.size()), as_int(slab.phi_s),
-                  as_int(slab.phi_i.size()));
+    set_arguments(spread, rows_, azimuth_of_, samples, as_int(azimuths_.size()), as_int(slab.phi_s), as_int(slab.phi_i.size()));
     engine_.run(spread, {slab.phi_s, slab.theta_s.size(), slab.theta_i.size() * slab.phi_i.size()});
   }
 }

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "host/engine.hpp"
-#include "host/material.hpp"
 #include "host/integrals.hpp"
+#include "host/material.hpp"
 #include "host/polarization.hpp"
 #include "host/slab.hpp"
 

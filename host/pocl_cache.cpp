@@ -52,8 +52,10 @@ void choose_pocl_cache() {
   std::string causes;
   const auto take = [&](const std::filesystem::path& folder) {
     const auto cause = obstacle(folder);
-    if (cause.empty()) setenv("POCL_CACHE_DIR", folder.c_str(), 1);
-    else causes += fmt::format("; {} {}", folder.string(), cause);
+    if (cause.empty())
+      setenv("POCL_CACHE_DIR", folder.c_str(), 1);
+    else
+      causes += fmt::format("; {} {}", folder.string(), cause);
     return cause.empty();
   };
   if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache && *cache && take(std::filesystem::path(cache) / "pocl")) return;

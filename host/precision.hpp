@@ -9,8 +9,6 @@ namespace brdftab {
 enum class Precision { float32, float64 };
 
 constexpr std::size_t bytes_of(Precision precision) { return precision == Precision::float64 ? 8 : 4; }
-constexpr std::string_view name_of(Precision precision) {
-  return precision == Precision::float64 ? "float64" : "float32";
-}
+constexpr std::string_view name_of(Precision precision) { return precision == Precision::float64 ? "float64" : "float32"; }
 
 }  // namespace brdftab

@@ -34,8 +34,7 @@ std::string Progress::line(std::size_t done, double seconds) const {
   const auto full = static_cast<std::size_t>(share * bar_cells);
   const std::string bar = terminal_ ? fmt::format("[{}{}] ", std::string(full, '#'), std::string(bar_cells - full, '.')) : "";
   return fmt::format("{} {}{:3.0f} %  {:.1f} M samples/s, {:.0f} MB/s, {} left", what_, bar, 100 * share, rate / 1e6,
-                     rate * static_cast<double>(unit_bytes_) / 1e6,
-                     clock_text(share > 0 ? seconds * (1 - share) / share : 0));
+                     rate * static_cast<double>(unit_bytes_) / 1e6, clock_text(share > 0 ? seconds * (1 - share) / share : 0));
 }
 
 void Progress::report(std::size_t done) {
@@ -44,8 +43,10 @@ void Progress::report(std::size_t done) {
   if (now - start_ < silence || now - last_ < (terminal_ ? terminal_interval : line_interval)) return;
   last_ = now;
   const std::string text = line(done, std::chrono::duration<double>(now - start_).count());
-  if (terminal_) fmt::print(stderr, "\r\x1b[K{}", text);
-  else fmt::print(stderr, "{}\n", text);
+  if (terminal_)
+    fmt::print(stderr, "\r\x1b[K{}", text);
+  else
+    fmt::print(stderr, "{}\n", text);
   std::fflush(stderr);
   drawn_ = true;
 }

@@ -1,9 +1,10 @@
 // Axes: what text becomes which nodes, and what is refused.
+#include "host/axis.hpp"
+
 #include <gtest/gtest.h>
 
 #include <string>
 
-#include "host/axis.hpp"
 #include "host/error.hpp"
 
 namespace brdftab {
@@ -41,12 +42,12 @@ TEST(Axis, ListsAndSingleAngles) {
 
 TEST(Axis, RefusesWhatCannotBeAnAxis) {
   const std::pair<const char*, const char*> cases[] = {
-      {"", "no node"},          {"0:90:5", "90 does not"},       {"-1:10:1", "-1 does not"},
-      {"0,5,5", "5 follows 5"}, {"5,0", "0 follows 5"},          {"0:10:3", "whole number of steps"},
-      {"10:0:1", "increase"},   {"0:10:0", "step"},              {"0:10:-1", "step"},
-      {"0:10", "start:stop"},   {"0:10:1:2", "start:stop"},      {"0:x:1", "start:stop"},
-      {"abc", "'abc'"},         {"nan", "must lie"},             {"inf", "must lie"},
-      {"0:89:1e-9", "at most"}, {"0:inf:1", "start:stop"},       {"1,,2", "not a number"},
+      {"", "no node"},          {"0:90:5", "90 does not"},  {"-1:10:1", "-1 does not"},
+      {"0,5,5", "5 follows 5"}, {"5,0", "0 follows 5"},     {"0:10:3", "whole number of steps"},
+      {"10:0:1", "increase"},   {"0:10:0", "step"},         {"0:10:-1", "step"},
+      {"0:10", "start:stop"},   {"0:10:1:2", "start:stop"}, {"0:x:1", "start:stop"},
+      {"abc", "'abc'"},         {"nan", "must lie"},        {"inf", "must lie"},
+      {"0:89:1e-9", "at most"}, {"0:inf:1", "start:stop"},  {"1,,2", "not a number"},
   };
   for (const auto& [text, cause] : cases) {
     const std::string message = refusal(AxisKind::theta_i, text);

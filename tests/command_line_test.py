@@ -4,7 +4,9 @@ import csv
 import io
 import json
 import os
+import pathlib
 import subprocess
+import tempfile
 import unittest
 
 from program import (BAD_INPUT, DEVICE, DONE, FILE, MATERIALS, PROGRAM, SMALL_GRID, VINYL, InFolder, run)
@@ -213,14 +215,19 @@ class Generate(InFolder):
         if os.geteuid() != 0 or subprocess.run(mount, capture_output=True).returncode != 0:
             self.skipTest("mounting a small tmpfs takes root")
         self.addCleanup(subprocess.run, ["umount", str(self.folder)])
+        outside = tempfile.TemporaryDirectory()
+        self.addCleanup(outside.cleanup)
+        self.outside = pathlib.Path(outside.name)
         result = run("generate", VINYL, "-o", self.folder / "t.h5", "--phi-i", "0:350:10")
         self.assert_refused(result, FILE, "free space")
         self.assert_nothing_written()
-        # Room for the samples, but not for all that goes with them: the disk fills while the file is written.
+        # Room for the samples, but not for the text that goes with them: the disk fills while the file is written.
         filler = self.folder / "filler"
         filler.write_bytes(bytes(2 * 1024 * 1024 - 300 * 1024))
-        result = run("generate", VINYL, "-o", self.folder / "t.h5", "--theta-i", "0:80:20", "--theta-s", "0:88:2", "--phi-s", "0:358:1")
-        self.assert_refused(result, FILE, "t.h5" if "free" in result.stderr else "")
+        material = self.outside / "long.toml"
+        material.write_text(VINYL.read_text() + "# note\n" * 100_000)
+        result = self.generate(material, "-o", self.folder / "t.h5")
+        self.assert_refused(result, FILE, self.folder / "t.h5", "No space left on device")
         self.assertEqual([f.name for f in self.folder.iterdir()], ["filler"])
 
     def test_no_device(self):

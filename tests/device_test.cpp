@@ -38,11 +38,12 @@ Material material_of(const Parameters& p, const ModelSwitches& switches) {
   static const char* const shadowings[] = {"all", "surface", "none"};
   std::string text = "name = \"random\"\n[parameters]\n";
   for (const auto& row : parameter_table) text += fmt::format("{} = {}\n", row.name, p.*row.member);
-  text += fmt::format("[model]\nnormalization = \"{}\"\nautocovariance = \"{}\"\nforeshortening = {}\nwidth_shadowing = {}\n"
-                      "reflectance_shadowing = \"{}\"\n",
-                      normalizations[static_cast<int>(switches.normalization)],
-                      switches.autocovariance == Autocovariance::gaussian ? "gaussian" : "lorentzian", switches.foreshortening,
-                      switches.width_shadowing, shadowings[static_cast<int>(switches.reflectance_shadowing)]);
+  text += fmt::format(
+      "[model]\nnormalization = \"{}\"\nautocovariance = \"{}\"\nforeshortening = {}\nwidth_shadowing = {}\n"
+      "reflectance_shadowing = \"{}\"\n",
+      normalizations[static_cast<int>(switches.normalization)],
+      switches.autocovariance == Autocovariance::gaussian ? "gaussian" : "lorentzian", switches.foreshortening,
+      switches.width_shadowing, shadowings[static_cast<int>(switches.reflectance_shadowing)]);
   return Material::parse(text, "random");
 }
 
@@ -151,13 +152,17 @@ TEST_P(FactoredTable, EqualsReferenceAtEveryNode) {
                                                                      : reinterpret_cast<const float*>(host.data())[at];
                 ++at;
                 const auto f = model.brdf(i, s, phi_s - phi_i);
-                const double expected = (polarization == Polarization::s ? f.s : polarization == Polarization::p ? f.p : f.unpolarized()).total();
+                const double expected = (polarization == Polarization::s   ? f.s
+                                         : polarization == Polarization::p ? f.p
+                                                                           : f.unpolarized())
+                                            .total();
                 if (expected < smallest_f) continue;
                 const double error = std::abs(value / expected - 1);
                 worst = std::max(worst, error);
                 ++compared;
-                ASSERT_LE(error, GetParam().tolerance) << "theta_i = " << i << ", phi_i = " << phi_i << ", theta_s = " << s << ", phi_s = "
-                                                       << phi_s << ": " << fmt::format("{:.17g}, expected {:.17g}", value, expected);
+                ASSERT_LE(error, GetParam().tolerance)
+                    << "theta_i = " << i << ", phi_i = " << phi_i << ", theta_s = " << s << ", phi_s = " << phi_s << ": "
+                    << fmt::format("{:.17g}, expected {:.17g}", value, expected);
               }
       }
     } catch (const BadInput& refused) {

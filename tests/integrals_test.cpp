@@ -1,8 +1,9 @@
 // N, DHR and BHR: from the device against the reference's independent quadrature.
+#include "host/integrals.hpp"
+
 #include <gtest/gtest.h>
 
 #include "host/energy.hpp"
-#include "host/integrals.hpp"
 #include "host/reference/model.hpp"
 #include "tests/random_materials.hpp"
 
@@ -82,11 +83,13 @@ TEST_F(OnDevice, BhrEqualsReference) {
 TEST_F(OnDevice, EnergyIsWarnedOfByAngleAndLobe) {
   const Parameters p{1, 0, 1, 0.2, 0.7, 0.05, 1.25, 0.01, 0, 0, 0, 0, 1.2, 7};
   const Band band{std::nullopt, p};
-  const Material m = Material::parse("name = \"bright\"\n[parameters]\nn_eff = 1\nk_eff = 0\nsigma_surface = 1\nrho_surface = 0.2\nsigma_bulk = 0.7\n"
-                                     "rho_bulk = 0.05\nsigma_retro = 1.25\nrho_retro = 0.01\nw_a = 0\nw_b = 0\ngamma = 0\ndelta = 0\nw = 1.2\nn = 7\n",
-                                     "bright");
+  const Material m = Material::parse(
+      "name = \"bright\"\n[parameters]\nn_eff = 1\nk_eff = 0\nsigma_surface = 1\nrho_surface = 0.2\nsigma_bulk = 0.7\n"
+      "rho_bulk = 0.05\nsigma_retro = 1.25\nrho_retro = 0.01\nw_a = 0\nw_b = 0\ngamma = 0\ndelta = 0\nw = 1.2\nn = 7\n",
+      "bright");
   const std::vector<double> theta{0, 40};
-  const auto warnings = energy_warnings(m, m.bands()[0], theta, integrals(*engine_, band, {}, theta).dhr, {Polarization::unpolarized});
+  const auto warnings =
+      energy_warnings(m, m.bands()[0], theta, integrals(*engine_, band, {}, theta).dhr, {Polarization::unpolarized});
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_NE(warnings[0].find("theta_i ="), std::string::npos) << warnings[0];
   EXPECT_NE(warnings[0].find("retro lobe has 1.25"), std::string::npos) << warnings[0];

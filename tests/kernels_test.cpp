@@ -27,10 +27,14 @@ struct Pair {
 
 Pair random_pair(RandomMaterials& random, double theta_i) {
   switch (static_cast<int>(random.uniform(0, 4))) {
-    case 0: return {theta_i, theta_i, (random.chance(0.5) ? 0 : 180) + random.uniform(0, 0.5)};
-    case 1: return {theta_i, std::min(89.9, theta_i + random.uniform(0, 1)), random.uniform(0, 2)};
-    case 2: return {theta_i, std::min(89.9, theta_i + random.uniform(0, 1e-3)), 180 + random.uniform(0, 1e-3)};
-    default: return {theta_i, random.theta(), random.phi()};
+    case 0:
+      return {theta_i, theta_i, (random.chance(0.5) ? 0 : 180) + random.uniform(0, 0.5)};
+    case 1:
+      return {theta_i, std::min(89.9, theta_i + random.uniform(0, 1)), random.uniform(0, 2)};
+    case 2:
+      return {theta_i, std::min(89.9, theta_i + random.uniform(0, 1e-3)), 180 + random.uniform(0, 1e-3)};
+    default:
+      return {theta_i, random.theta(), random.phi()};
   }
 }
 
@@ -54,36 +58,39 @@ void expect_close(double value, double expected, double tolerance, const Pair& a
   if (std::isinf(value) && std::isinf(expected)) return;
   if (expected < smallest_f && value < 2 * smallest_f) return;
   EXPECT_LE(std::abs(value - expected), tolerance * expected)
-      << what << " at theta_i = " << at.theta_i << ", theta_s = " << at.theta_s << ", phi = " << at.phi << ": " << fmt::format("{:.17g}", value)
-      << ", expected " << fmt::format("{:.17g}", expected) << ", relative " << value / expected - 1;
+      << what << " at theta_i = " << at.theta_i << ", theta_s = " << at.theta_s << ", phi = " << at.phi << ": "
+      << fmt::format("{:.17g}", value) << ", expected " << fmt::format("{:.17g}", expected) << ", relative "
+      << value / expected - 1;
 }
 
 class KernelsInDouble : public testing::TestWithParam<bool> {};
 
 TEST_P(KernelsInDouble, BrdfEqualsReference) {
   int compared = 0;
-  for_random_directions(11, 600, GetParam(), [&](const auto& parameters, const auto& switches, const auto& model, const Pair& at) {
-    // A Gaussian lobe may be so narrow that N overflows; the program refuses it before any f.
-    for (const Lobe lobe : {Lobe::surface, Lobe::bulk, Lobe::retro})
-      for (const double theta : {at.theta_i, at.theta_s})
-        if (std::isinf(Double::normalization(parameters, switches, lobe, theta).value)) return;
-    const auto f = Double::brdf(parameters, switches, at.theta_i, at.theta_s, at.phi);
-    const auto expected = model.brdf(at.theta_i, at.theta_s, at.phi);
-    expect_close(f.s, expected.s.total(), tolerance_f, at, "f_s");
-    expect_close(f.p, expected.p.total(), tolerance_f, at, "f_p");
-    compared += expected.s.total() > smallest_f;
-  });
+  for_random_directions(11, 600, GetParam(),
+                        [&](const auto& parameters, const auto& switches, const auto& model, const Pair& at) {
+                          // A Gaussian lobe may be so narrow that N overflows; the program refuses it before any f.
+                          for (const Lobe lobe : {Lobe::surface, Lobe::bulk, Lobe::retro})
+                            for (const double theta : {at.theta_i, at.theta_s})
+                              if (std::isinf(Double::normalization(parameters, switches, lobe, theta).value)) return;
+                          const auto f = Double::brdf(parameters, switches, at.theta_i, at.theta_s, at.phi);
+                          const auto expected = model.brdf(at.theta_i, at.theta_s, at.phi);
+                          expect_close(f.s, expected.s.total(), tolerance_f, at, "f_s");
+                          expect_close(f.p, expected.p.total(), tolerance_f, at, "f_p");
+                          compared += expected.s.total() > smallest_f;
+                        });
   EXPECT_GT(compared, 3000);
 }
 
 TEST_P(KernelsInDouble, NormalizationEqualsReference) {
-  for_random_directions(12, 300, GetParam(), [&](const auto& parameters, const auto& switches, const auto& model, const Pair& at) {
-    for (const Lobe lobe : {Lobe::surface, Lobe::bulk, Lobe::retro}) {
-      const auto n = Double::normalization(parameters, switches, lobe, at.theta_i);
-      expect_close(n.value, model.normalization(lobe, at.theta_i).value, tolerance_n, at, "N");
-      EXPECT_LE(n.error, tolerance_n);
-    }
-  });
+  for_random_directions(12, 300, GetParam(),
+                        [&](const auto& parameters, const auto& switches, const auto& model, const Pair& at) {
+                          for (const Lobe lobe : {Lobe::surface, Lobe::bulk, Lobe::retro}) {
+                            const auto n = Double::normalization(parameters, switches, lobe, at.theta_i);
+                            expect_close(n.value, model.normalization(lobe, at.theta_i).value, tolerance_n, at, "N");
+                            EXPECT_LE(n.error, tolerance_n);
+                          }
+                        });
 }
 
 INSTANTIATE_TEST_SUITE_P(Model, KernelsInDouble, testing::Values(false, true),

@@ -1,4 +1,6 @@
 // Material files: what they become, and the one line that each fault gives.
+#include "host/material.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -6,7 +8,6 @@
 #include <string>
 
 #include "host/error.hpp"
-#include "host/material.hpp"
 
 namespace brdftab {
 namespace {
@@ -32,11 +33,12 @@ std::string refusal(const std::string& text) {
 }
 
 TEST(Material, ReadsParametersBandsSwitchesAndGrid) {
-  const auto m = Material::parse(head + "license = \"CC0\"\n" + parameters +
-                                     "[model]\nnormalization = \"reciprocal\"\nforeshortening = false\n"
-                                     "[[band]]\nwavelength_nm = 450\nn_eff = 1.25\n[[band]]\nwavelength_nm = 650.5\nsigma_bulk = 0.21\n"
-                                     "[grid]\ntheta_i = \"0:80:10\"\nphi_i = [0, 90]\n",
-                                 "m.toml");
+  const auto m =
+      Material::parse(head + "license = \"CC0\"\n" + parameters +
+                          "[model]\nnormalization = \"reciprocal\"\nforeshortening = false\n"
+                          "[[band]]\nwavelength_nm = 450\nn_eff = 1.25\n[[band]]\nwavelength_nm = 650.5\nsigma_bulk = 0.21\n"
+                          "[grid]\ntheta_i = \"0:80:10\"\nphi_i = [0, 90]\n",
+                      "m.toml");
   EXPECT_EQ(m.name(), "m");
   ASSERT_EQ(m.bands().size(), 2u);
   EXPECT_EQ(*m.bands()[0].wavelength_nm, 450);

@@ -24,8 +24,8 @@ class RandomMaterials {
     Parameters p{};
     for (const auto& row : parameter_table) {
       const double low = row.minimum > 0 ? row.minimum : 1e-4;
-      p.*row.member = chance(1. / 6) ? (chance(0.5) ? row.minimum : row.maximum)
-                                     : std::exp(uniform(std::log(low), std::log(row.maximum)));
+      p.*row.member =
+          chance(1. / 6) ? (chance(0.5) ? row.minimum : row.maximum) : std::exp(uniform(std::log(low), std::log(row.maximum)));
     }
     return p;
   }
@@ -33,11 +33,20 @@ class RandomMaterials {
   /// What a fit to paint, plastic or metal may give: every term of the model matters somewhere.
   Parameters plausible() {
     const auto around = [&](double low, double high) { return std::exp(uniform(std::log(low), std::log(high))); };
-    return {.n_eff = around(0.6, 5),      .k_eff = chance(0.5) ? 0 : around(0.01, 5), .sigma_surface = around(0.05, 2),
-            .rho_surface = around(0.002, 3), .sigma_bulk = around(0.01, 2),           .rho_bulk = around(0.1, 10),
-            .sigma_retro = around(0.001, 1), .rho_retro = around(0.005, 3),           .w_a = around(0.02, 2),
-            .w_b = around(0.01, 5),       .gamma = around(0.1, 30),                   .delta = around(0.05, 10),
-            .w = around(0.6, 3),          .n = chance(0.3) ? 0 : uniform(0, 40)};
+    return {.n_eff = around(0.6, 5),
+            .k_eff = chance(0.5) ? 0 : around(0.01, 5),
+            .sigma_surface = around(0.05, 2),
+            .rho_surface = around(0.002, 3),
+            .sigma_bulk = around(0.01, 2),
+            .rho_bulk = around(0.1, 10),
+            .sigma_retro = around(0.001, 1),
+            .rho_retro = around(0.005, 3),
+            .w_a = around(0.02, 2),
+            .w_b = around(0.01, 5),
+            .gamma = around(0.1, 30),
+            .delta = around(0.05, 10),
+            .w = around(0.6, 3),
+            .n = chance(0.3) ? 0 : uniform(0, 40)};
   }
 
   ModelSwitches switches() {

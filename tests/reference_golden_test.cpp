@@ -112,8 +112,8 @@ TEST_F(ReferenceGolden, Brdf) {
       worst = difference;
       where = {};
       where.precision(15);
-      where << row.material << ' ' << columns[k] << " at theta_i " << row.numbers[0] << " theta_s " << row.numbers[1]
-            << " phi " << row.numbers[2] << ": " << values[k] << ", golden " << row.numbers[3 + k];
+      where << row.material << ' ' << columns[k] << " at theta_i " << row.numbers[0] << " theta_s " << row.numbers[1] << " phi "
+            << row.numbers[2] << ": " << values[k] << ", golden " << row.numbers[3 + k];
     }
   }
   EXPECT_LT(worst, brdf_tolerance) << where.str();
@@ -131,7 +131,8 @@ TEST_F(ReferenceGolden, Integrals) {
     for (int k = 0; k < 3; ++k) {
       const double n = model(row.material).normalization(static_cast<Lobe>(k), theta_i).value;
       EXPECT_LT(relative_difference(n, row.numbers[1 + k]), normalization_tolerance)
-          << row.material << ' ' << lobe_names[k] << " N at theta_i " << theta_i << ": " << n << ", golden " << row.numbers[1 + k];
+          << row.material << ' ' << lobe_names[k] << " N at theta_i " << theta_i << ": " << n << ", golden "
+          << row.numbers[1 + k];
       EXPECT_LT(relative_difference(parts[k].value, row.numbers[4 + k]), kink ? dhr_tolerance_over_a_kink : dhr_tolerance)
           << row.material << ' ' << lobe_names[k] << " DHR at theta_i " << theta_i << ": " << parts[k].value << ", golden "
           << row.numbers[4 + k];

@@ -17,9 +17,20 @@ constexpr double rounding = 1e-15;
 constexpr double dhr_tolerance = 1e-9;
 
 Parameters parameters() {
-  return {.n_eff = 0.78, .k_eff = 0.14, .sigma_surface = 0.7, .rho_surface = 0.3, .sigma_bulk = 0.2,
-          .rho_bulk = 0.8, .sigma_retro = 0.1, .rho_retro = 0.4, .w_a = 0.3, .w_b = 0.5,
-          .gamma = 4, .delta = 0.6, .w = 0.9, .n = 3.5};
+  return {.n_eff = 0.78,
+          .k_eff = 0.14,
+          .sigma_surface = 0.7,
+          .rho_surface = 0.3,
+          .sigma_bulk = 0.2,
+          .rho_bulk = 0.8,
+          .sigma_retro = 0.1,
+          .rho_retro = 0.4,
+          .w_a = 0.3,
+          .w_b = 0.5,
+          .gamma = 4,
+          .delta = 0.6,
+          .w = 0.9,
+          .n = 3.5};
 }
 
 constexpr double thetas[] = {0, 17, 63.5, 89.9};
@@ -39,9 +50,11 @@ TEST(ReferenceModel, IsEquation14) {
   const Real g = mean_reflectance({p.n_eff, p.k_eff}, in, out).s;
   const auto n = [&](Lobe lobe) { return model.normalization(lobe, i).value; };
   const Brdf f = model.brdf(i, s, phi);
-  EXPECT_NEAR(f.s.surface / double(p.sigma_surface * g * v_m * n(Lobe::surface) / denominator(alpha_0, p.rho_surface)), 1, rounding);
+  EXPECT_NEAR(f.s.surface / double(p.sigma_surface * g * v_m * n(Lobe::surface) / denominator(alpha_0, p.rho_surface)), 1,
+              rounding);
   EXPECT_NEAR(f.s.bulk / double(p.sigma_bulk * (1 - g) * v_m * n(Lobe::bulk) / denominator(alpha_0, p.rho_bulk)), 1, rounding);
-  EXPECT_NEAR(f.s.retro / double(p.sigma_retro * (1 - g) * v_m * n(Lobe::retro) / denominator(-alpha_0, p.rho_retro)), 1, rounding);
+  EXPECT_NEAR(f.s.retro / double(p.sigma_retro * (1 - g) * v_m * n(Lobe::retro) / denominator(-alpha_0, p.rho_retro)), 1,
+              rounding);
   EXPECT_NE(f.s.surface, f.p.surface);
   EXPECT_EQ(f.unpolarized().bulk, (f.s.bulk + f.p.bulk) / 2);
 }
@@ -67,8 +80,10 @@ TEST(ReferenceModel, ReciprocalNormalizationWithoutVmIsReciprocal) {
     const double a = reciprocal.brdf(20, 75, phi).unpolarized().total();
     const double b = reciprocal.brdf(75, 20, phi).unpolarized().total();
     EXPECT_NEAR(a / b, 1, rounding) << "20 75 " << phi << ": " << a << ' ' << b;
-    EXPECT_GT(std::fabs(hemispherical.brdf(20, 75, phi).unpolarized().total() /
-                            hemispherical.brdf(75, 20, phi).unpolarized().total() - 1), 1e-3);
+    EXPECT_GT(
+        std::fabs(hemispherical.brdf(20, 75, phi).unpolarized().total() / hemispherical.brdf(75, 20, phi).unpolarized().total() -
+                  1),
+        1e-3);
   }
   EXPECT_EQ(reciprocal.brdf(40, 40, 10).s.bulk, hemispherical.brdf(40, 40, 10).s.bulk);
 }
@@ -79,8 +94,8 @@ TEST(ReferenceModel, SwitchesActOnTheirFactor) {
   const Brdf all = Model(p).brdf(i, s, phi);
   const Brdf none = Model(p, {.reflectance_shadowing = ReflectanceShadowing::none}).brdf(i, s, phi);
   const Brdf surface = Model(p, {.reflectance_shadowing = ReflectanceShadowing::surface}).brdf(i, s, phi);
-  const double v_m = double(reflectance_shadowing({p.w_a, p.w_b, p.gamma, p.delta}, Direction::from_degrees(i),
-                                                  Direction::from_degrees(s), phi));
+  const double v_m = double(
+      reflectance_shadowing({p.w_a, p.w_b, p.gamma, p.delta}, Direction::from_degrees(i), Direction::from_degrees(s), phi));
   ASSERT_LT(v_m, 0.9);
   EXPECT_NEAR(all.s.retro / none.s.retro, v_m, rounding);
   EXPECT_EQ(surface.s.surface, all.s.surface);
@@ -88,7 +103,8 @@ TEST(ReferenceModel, SwitchesActOnTheirFactor) {
   // A Gaussian lobe at its centre is N; a Lorentzian is N/ρ′².
   const Model gaussian(p, {.autocovariance = Autocovariance::gaussian, .reflectance_shadowing = ReflectanceShadowing::none});
   const Real g = mean_transmittance({p.n_eff, p.k_eff}, Direction::from_degrees(i), Direction::from_degrees(i)).s;
-  EXPECT_NEAR(gaussian.brdf(i, i, 180).s.retro / double(p.sigma_retro * g * gaussian.normalization(Lobe::retro, i).value), 1, rounding);
+  EXPECT_NEAR(gaussian.brdf(i, i, 180).s.retro / double(p.sigma_retro * g * gaussian.normalization(Lobe::retro, i).value), 1,
+              rounding);
 }
 
 TEST(ReferenceModel, TotalReflectionLeavesTheSurfaceOnly) {
@@ -147,8 +163,8 @@ double hemispherical_integral(const Model& model, double theta_i, Lobe lobe) {
             const Lobes lobes = model.brdf(theta_i, theta, phi).unpolarized();
             return lobe == Lobe::surface ? lobes.surface : lobe == Lobe::bulk ? lobes.bulk : lobes.retro;
           };
-          const double ring = Gauss::integrate(f, 0, 30) + Gauss::integrate(f, 30, 90) +
-                              Gauss::integrate(f, 90, 150) + Gauss::integrate(f, 150, 180);
+          const double ring = Gauss::integrate(f, 0, 30) + Gauss::integrate(f, 30, 90) + Gauss::integrate(f, 90, 150) +
+                              Gauss::integrate(f, 150, 180);
           return 2 * ring * double(sin_degrees(theta) * cos_degrees(theta)) * radian * radian;
         },
         edges[k], edges[k + 1]);
@@ -199,7 +215,8 @@ TEST(ReferenceReflectance, BhrIsTheMeanOfDhr) {
   const Model model(parameters());
   using Gauss = boost::math::quadrature::gauss<double, 15>;
   const auto integrand = [&](double theta) {
-    return 2 * model.dhr(theta).unpolarized().total().value * double(sin_degrees(theta) * cos_degrees(theta)) * std::numbers::pi / 180;
+    return 2 * model.dhr(theta).unpolarized().total().value * double(sin_degrees(theta) * cos_degrees(theta)) * std::numbers::pi /
+           180;
   };
   const double expected = Gauss::integrate(integrand, 0, 51.26) + Gauss::integrate(integrand, 51.26, 90);
   EXPECT_NEAR(model.bhr().unpolarized().total().value / expected, 1, 1e-5);

@@ -17,9 +17,20 @@ constexpr double normalization_tolerance = 1e-12;
 constexpr double brute_force_tolerance = 1e-9;
 
 Parameters parameters() {
-  return {.n_eff = 1.3, .k_eff = 0.2, .sigma_surface = 0.7, .rho_surface = 0.3, .sigma_bulk = 0.2,
-          .rho_bulk = 0.8, .sigma_retro = 0.1, .rho_retro = 0.3, .w_a = 0.3, .w_b = 0.5,
-          .gamma = 4, .delta = 0.6, .w = 0.9, .n = 3.5};
+  return {.n_eff = 1.3,
+          .k_eff = 0.2,
+          .sigma_surface = 0.7,
+          .rho_surface = 0.3,
+          .sigma_bulk = 0.2,
+          .rho_bulk = 0.8,
+          .sigma_retro = 0.1,
+          .rho_retro = 0.3,
+          .w_a = 0.3,
+          .w_b = 0.5,
+          .gamma = 4,
+          .delta = 0.6,
+          .w = 0.9,
+          .n = 3.5};
 }
 
 // Eq. (8) in the form that gives N as printed.
@@ -78,8 +89,7 @@ TEST(ReferenceNormalization, Equation8WithForeshorteningAndVOff) {
 
 TEST(ReferenceNormalization, ClosedFormKeepsRhoConstant) {
   ModelSwitches closed{.normalization = Normalization::closed_form};
-  EXPECT_NEAR(Model(parameters(), closed).normalization(Lobe::bulk, 50).value / equation_8(0.8, 50), 1,
-              normalization_tolerance);
+  EXPECT_NEAR(Model(parameters(), closed).normalization(Lobe::bulk, 50).value / equation_8(0.8, 50), 1, normalization_tolerance);
   closed.autocovariance = Autocovariance::gaussian;
   EXPECT_THROW(Model(parameters(), closed), std::invalid_argument);
 }
@@ -90,8 +100,7 @@ TEST(ReferenceNormalization, NormalIncidenceWithVOffIsElementary) {
   Parameters p = parameters();
   p.rho_bulk = 2;
   const Model model(p, {.width_shadowing = false});
-  EXPECT_NEAR(model.normalization(Lobe::bulk, 0).value * std::numbers::pi * (1 - std::numbers::ln2), 1,
-              normalization_tolerance);
+  EXPECT_NEAR(model.normalization(Lobe::bulk, 0).value * std::numbers::pi * (1 - std::numbers::ln2), 1, normalization_tolerance);
 }
 
 TEST(ReferenceNormalization, IsTheSameAtPlusAndMinusAlpha0) {
@@ -107,7 +116,7 @@ double bare_lobe(const Parameters& p, Autocovariance autocovariance, double thet
   const Real square = std::exp(width.log_square(Direction::from_degrees(theta_i), Direction::from_degrees(theta_s)));
   const Real distance = squared_distance(theta_i, theta_s, phi);
   return static_cast<double>(autocovariance == Autocovariance::gaussian ? std::exp(-distance / (4 * square))
-                                                                         : 1 / (distance + square));
+                                                                        : 1 / (distance + square));
 }
 
 TEST(ReferenceNormalization, LobesIntegrateToOne) {
@@ -117,8 +126,8 @@ TEST(ReferenceNormalization, LobesIntegrateToOne) {
       for (const double theta : {0.0, 25.0, 60.0}) {
         p.rho_bulk = rho;
         const Model model(p, {.autocovariance = autocovariance});
-        const double integral = brute_force(
-            [&](double theta_s, double phi) { return bare_lobe(p, autocovariance, theta, theta_s, phi); }, theta);
+        const double integral =
+            brute_force([&](double theta_s, double phi) { return bare_lobe(p, autocovariance, theta, theta_s, phi); }, theta);
         EXPECT_NEAR(integral * model.normalization(Lobe::bulk, theta).value, 1, brute_force_tolerance)
             << "gaussian " << (autocovariance == Autocovariance::gaussian) << " rho " << rho << " theta_i " << theta;
       }

@@ -24,8 +24,7 @@ Real relative_difference(Real a, Real b) { return a == b ? 0 : std::fabs(a - b) 
 // Eq. (15) as printed.
 Polarized equation_15(Complex m, const Direction& d) {
   const Complex root = std::sqrt(Real(1) - d.sin * d.sin / (m * m));
-  return {std::norm((d.cos - m * root) / (d.cos + m * root)),
-          std::norm((-m * d.cos + root) / (m * d.cos + root))};
+  return {std::norm((d.cos - m * root) / (d.cos + m * root)), std::norm((-m * d.cos + root) / (m * d.cos + root))};
 }
 
 TEST(ReferenceDirection, IsExactWhereItCanBe) {
@@ -153,8 +152,8 @@ TEST(ReferenceWidthShadowing, Equation11) {
   for (const double theta : {0.0, 30.0, 89.9}) {
     const Real chi_squared = std::pow(sin_degrees(theta), 2);
     for (const Real w : {0.05L, 0.9L, 100.0L})
-      EXPECT_LT(relative_difference(width_shadowing(chi_squared, w, 0), std::exp(-chi_squared / (w * w))),
-                1e-16L) << theta << ' ' << w;
+      EXPECT_LT(relative_difference(width_shadowing(chi_squared, w, 0), std::exp(-chi_squared / (w * w))), 1e-16L)
+          << theta << ' ' << w;
   }
 }
 

@@ -141,7 +141,8 @@ TEST(Slabs, CoverTheGridOnceAndInOrder) {
     std::size_t next = 0;
     for (const Slab& slab : slabs(grid, most)) {
       const std::size_t begin =
-          ((slab.theta_i.begin * grid.phi_i.size() + slab.phi_i.begin) * grid.theta_s.size() + slab.theta_s.begin) * grid.phi_s.size();
+          ((slab.theta_i.begin * grid.phi_i.size() + slab.phi_i.begin) * grid.theta_s.size() + slab.theta_s.begin) *
+          grid.phi_s.size();
       EXPECT_EQ(begin, next) << most;
       EXPECT_LE(slab.nodes(), std::max<std::size_t>(most, grid.phi_s.size()));
       next += slab.nodes();

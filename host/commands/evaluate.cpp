@@ -38,11 +38,12 @@ void check_finite(const Material& material, const Band& band, std::span<const Di
                   std::span<const PolarizedBrdf> values, const std::string& source) {
   for (std::size_t k = 0; k < pairs.size(); ++k)
     if (!std::isfinite(values[k].s) || !std::isfinite(values[k].p))
-      throw BadInput("{}:{}: brdf of {} is not finite at theta_i = {}, theta_s = {}, phi = {} degrees: rho_surface = {}, rho_bulk "
-                     "= {}, rho_retro = {}, w = {} and n = {} make a lobe too narrow there",
-                     source, pairs[k].line, material.name(), shortest(pairs[k].theta_i), shortest(pairs[k].theta_s),
-                     shortest(pairs[k].phi), shortest(band.parameters.rho_surface), shortest(band.parameters.rho_bulk),
-                     shortest(band.parameters.rho_retro), shortest(band.parameters.w), shortest(band.parameters.n));
+      throw BadInput(
+          "{}:{}: brdf of {} is not finite at theta_i = {}, theta_s = {}, phi = {} degrees: rho_surface = {}, rho_bulk "
+          "= {}, rho_retro = {}, w = {} and n = {} make a lobe too narrow there",
+          source, pairs[k].line, material.name(), shortest(pairs[k].theta_i), shortest(pairs[k].theta_s), shortest(pairs[k].phi),
+          shortest(band.parameters.rho_surface), shortest(band.parameters.rho_bulk), shortest(band.parameters.rho_retro),
+          shortest(band.parameters.w), shortest(band.parameters.n));
 }
 
 std::string table_text(const Material& material, std::span<const DirectionPair> pairs,

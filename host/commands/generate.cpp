@@ -128,10 +128,11 @@ ExitStatus run(const Options& options, const CommonOptions& common) {
   generate_options.history = history(common);
   for (const Task& task : tasks) {
     const auto summary = generate(engine, task.material, task.grid, task.target, format.create, generate_options);
-    say(common, fmt::format("{}: {} samples, {:.3g} MB in {:.2f} s; largest relative error at {} nodes checked against the scalar "
-                            "reference {:.1e}",
-                            task.target.string(), summary.samples, static_cast<double>(summary.bytes) / 1e6, summary.seconds,
-                            summary.findings.accuracy.nodes, summary.findings.accuracy.max_relative_error));
+    say(common,
+        fmt::format("{}: {} samples, {:.3g} MB in {:.2f} s; largest relative error at {} nodes checked against the scalar "
+                    "reference {:.1e}",
+                    task.target.string(), summary.samples, static_cast<double>(summary.bytes) / 1e6, summary.seconds,
+                    summary.findings.accuracy.nodes, summary.findings.accuracy.max_relative_error));
     for (const auto& warning : summary.findings.energy_warnings) say(common, "warning: " + warning);
   }
   return ExitStatus::done;

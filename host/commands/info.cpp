@@ -1,6 +1,5 @@
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "host/commands/command.hpp"
 #include "host/hdf5_info.hpp"
@@ -80,8 +79,10 @@ std::function<ExitStatus()> info_command(CLI::App& parser, const CommonOptions&)
   parser.add_flag("--json", options->json, "As JSON, axes and one-dimensional variables with their values");
   return [options] {
     const TableInfo info = read_hdf5_info(options->table);
-    if (options->json) fmt::print("{}\n", as_json(info).dump(2));
-    else print_text(options->table, info);
+    if (options->json)
+      fmt::print("{}\n", as_json(info).dump(2));
+    else
+      print_text(options->table, info);
     return ExitStatus::done;
   };
 }

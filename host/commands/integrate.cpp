@@ -1,9 +1,8 @@
-#include "host/integrals.hpp"
-
 #include <cstdio>
 
 #include "host/commands/command.hpp"
 #include "host/energy.hpp"
+#include "host/integrals.hpp"
 #include "host/numbers.hpp"
 
 namespace brdftab {
@@ -71,8 +70,9 @@ ExitStatus run(const Options& options, const CommonOptions& common) {
 std::function<ExitStatus()> integrate_command(CLI::App& parser, const CommonOptions& common) {
   auto options = std::make_shared<Options>();
   parser.add_option("MATERIAL", options->material, "Material file (TOML)")->required();
-  parser.add_option("--theta-i", options->theta_i,
-                    "Polar angles of incidence, degrees: start:stop:step, or angles separated by commas; default: the material's");
+  parser.add_option(
+      "--theta-i", options->theta_i,
+      "Polar angles of incidence, degrees: start:stop:step, or angles separated by commas; default: the material's");
   parser.add_option("--polarization", options->polarization, "unpolarized (default), s or p")
       ->check(CLI::IsMember({"unpolarized", "s", "p"}));
   add_engine_options(parser, options->engine, options->precision);

@@ -10,8 +10,8 @@ namespace brdftab::reference {
 /// What of a lobe and of V_m an azimuth integral needs.
 struct AzimuthLobe {
   Autocovariance autocovariance;
-  bool retro;      // centred at −α₀
-  bool shadowed;   // times V_m
+  bool retro;     // centred at −α₀
+  bool shadowed;  // times V_m
   ReflectanceShadowingParameters shadowing;
   Real forward_onset;  // −ln E₀ at the incidence
 };

@@ -25,16 +25,16 @@ Real cos_first_quadrant(Real x) {
 Real squared(Real x) { return x * x; }
 
 struct BisectorFrame {
-  Real difference;   // sin θ_s − sin θ_i
-  Real sum;          // sin θ_s + sin θ_i
+  Real difference;  // sin θ_s − sin θ_i
+  Real sum;         // sin θ_s + sin θ_i
   Real cos_half_phi;
   Real sin_half_phi;
 };
 
 BisectorFrame bisector_frame(double theta_i, double theta_s, double phi) {
   const Real i = theta_i, s = theta_s, half_phi = Real(phi) / 2;
-  return {2 * cos_degrees((s + i) / 2) * sin_degrees((s - i) / 2),
-          sin_degrees(s) + sin_degrees(i), cos_degrees(half_phi), sin_degrees(half_phi)};
+  return {2 * cos_degrees((s + i) / 2) * sin_degrees((s - i) / 2), sin_degrees(s) + sin_degrees(i), cos_degrees(half_phi),
+          sin_degrees(half_phi)};
 }
 
 }  // namespace

@@ -44,16 +44,14 @@ std::array<Estimate, 2> Model::lobe_dhr(Lobe lobe, const Direction& in) const {
     if (amplitudes.s == 0 && amplitudes.p == 0) return {};
     const Ring ring = azimuth_integral(azimuth, in, node);
     Real weight = ring.value * node.jacobian;
-    if (reciprocal && weight > 0)
-      weight *= std::exp((log_normalization_at(lobe, node.out).log - log_n.log) / 2);
+    if (reciprocal && weight > 0) weight *= std::exp((log_normalization_at(lobe, node.out).log - log_n.log) / 2);
     const Real s = amplitudes.s * weight, p = amplitudes.p * weight;
     return {s, p, s * ring.error, p * ring.error};
   };
   // A Gaussian narrower than the core has nothing outside it.
   const bool point = path.core() > 0 && azimuth.autocovariance == Autocovariance::gaussian;
   const auto intervals = point ? std::vector<Interval<Real>>{} : path.intervals();
-  const auto integral =
-      integrate<15, 4, 2>(integrand, intervals, reciprocal ? reciprocal_dhr_tolerance : dhr_tolerance, 40);
+  const auto integral = integrate<15, 4, 2>(integrand, intervals, reciprocal ? reciprocal_dhr_tolerance : dhr_tolerance, 40);
   Real core = 0;
   if (path.core() > 0)
     core = std::exp(log_core_integral(switches_.autocovariance, path) + log_n.log) * shadowing_at_peak(azimuth, in);
@@ -64,8 +62,7 @@ std::array<Estimate, 2> Model::lobe_dhr(Lobe lobe, const Direction& in) const {
     const Real error = integral.value[k] > 0 ? (integral.error[k] + integral.value[k + 2]) * scale : 0;
     const Real sum = outside + peak * core;
     if (!(sum > 0)) return {static_cast<double>(sum), 0};
-    return {static_cast<double>(amplitude(lobe) * sum),
-            static_cast<double>(error / sum + log_n.error)};
+    return {static_cast<double>(amplitude(lobe) * sum), static_cast<double>(error / sum + log_n.error)};
   };
   return {estimate(0, at_peak.s), estimate(1, at_peak.p)};
 }

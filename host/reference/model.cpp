@@ -30,9 +30,7 @@ Estimate mean(const Estimate& a, const Estimate& b) {
 
 }  // namespace
 
-Lobes Brdf::unpolarized() const {
-  return {mean(s.surface, p.surface), mean(s.bulk, p.bulk), mean(s.retro, p.retro)};
-}
+Lobes Brdf::unpolarized() const { return {mean(s.surface, p.surface), mean(s.bulk, p.bulk), mean(s.retro, p.retro)}; }
 
 Estimate LobeReflectance::total() const {
   const double sum = surface.value + bulk.value + retro.value;
@@ -51,8 +49,7 @@ struct Model::Cache {
 
 Model::Model(const Parameters& parameters, const ModelSwitches& switches)
     : parameters_(parameters), switches_(switches), cache_(std::make_shared<Cache>()) {
-  if (switches.normalization == Normalization::closed_form &&
-      switches.autocovariance == Autocovariance::gaussian)
+  if (switches.normalization == Normalization::closed_form && switches.autocovariance == Autocovariance::gaussian)
     throw std::invalid_argument("the closed form of N, Eq. (8), is of the Lorentzian lobe only");
 }
 
@@ -79,8 +76,7 @@ ReflectanceShadowingParameters Model::shadowing() const {
 }
 
 LogEstimate Model::log_normalization_at(Lobe lobe, const Direction& in) const {
-  if (switches_.normalization == Normalization::closed_form)
-    return log_normalization_closed_form(width(lobe).rho, in);
+  if (switches_.normalization == Normalization::closed_form) return log_normalization_closed_form(width(lobe).rho, in);
   return log_normalization(switches_.autocovariance, width(lobe), in);
 }
 
@@ -118,13 +114,12 @@ Brdf Model::brdf(double theta_i, double theta_s, double phi) const {
   const Direction in = Direction::from_degrees(theta_i), out = Direction::from_degrees(theta_s);
   const Polarized g = mean_reflectance(index(), in, out);
   const Polarized t = mean_transmittance(index(), in, out);
-  const Real log_v = width(Lobe::surface).log_shadowing(in.sin * in.sin) +
-                     width(Lobe::surface).log_shadowing(out.sin * out.sin);
+  const Real log_v = width(Lobe::surface).log_shadowing(in.sin * in.sin) + width(Lobe::surface).log_shadowing(out.sin * out.sin);
 
   // Everything but Eqs. (15), (17), (18), which alone depend on polarisation.
   const auto shape = [&](Lobe lobe) -> Shape {
-    const Real distance = lobe == Lobe::retro ? squared_distance_retro(theta_i, theta_s, phi)
-                                              : squared_distance(theta_i, theta_s, phi);
+    const Real distance =
+        lobe == Lobe::retro ? squared_distance_retro(theta_i, theta_s, phi) : squared_distance(theta_i, theta_s, phi);
     const Real log_square = width(lobe).log_square(in.cos, out.cos, log_v, 0);
     Real log_scale = pair_log_normalization(lobe, theta_i, theta_s).log;
     Real v_m = 1;
@@ -149,8 +144,7 @@ Brdf Model::brdf(double theta_i, double theta_s, double phi) const {
   };
   const auto lobes = [&](Real g_polarized, Real t_polarized) {
     return Lobes{value(parameters_.sigma_surface * g_polarized, shapes[0]),
-                 value(parameters_.sigma_bulk * t_polarized, shapes[1]),
-                 value(parameters_.sigma_retro * t_polarized, shapes[2])};
+                 value(parameters_.sigma_bulk * t_polarized, shapes[1]), value(parameters_.sigma_retro * t_polarized, shapes[2])};
   };
   return {lobes(g.s, t.s), lobes(g.p, t.p)};
 }
