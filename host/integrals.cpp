@@ -71,7 +71,8 @@ std::vector<Panel> first_panels(const Parameters& parameters) {
   std::sort(stops.begin(), stops.end());
   std::vector<Panel> panels;
   for (std::size_t k = 1; k < stops.size(); ++k)
-    if (stops[k] > stops[k - 1]) panels.push_back({stops[k - 1], stops[k], 0, 1});
+    if (stops[k] > stops[k - 1])
+      for (const double half : {0.0, 0.5}) panels.push_back({stops[k - 1], stops[k], half, half + 0.5});
   return panels;
 }
 
@@ -126,7 +127,7 @@ void integrate_panels(const Engine& engine, const Band& band, const ModelSwitche
   }
 }
 
-constexpr double bhr_tolerance = 1e-7;  // relative, of each panel
+constexpr double bhr_tolerance = 1e-6;  // relative, of each panel
 constexpr int bhr_rounds = 12;
 
 }  // namespace

@@ -24,7 +24,7 @@ typedef struct {
 } Ring;
 
 // V_m at tan(phi/2) = tangent measured from the lobe's centre, at phi = 0, or pi for the retro lobe.
-FN real ring_shadowing(Ring ring, real tangent, MaterialConstants m, ModelVariant variant)
+FN_INLINED real ring_shadowing(Ring ring, real tangent, MaterialConstants m, ModelVariant variant)
 {
   if (!lobe_is_shadowed(ring.lobe, variant))
     return REAL(1.0);
@@ -39,7 +39,7 @@ FN real ring_shadowing(Ring ring, real tangent, MaterialConstants m, ModelVarian
 
 // V_m times the profile, per d tangent. With T = tan(phi/2) and c = axial + rho'^2,
 // d phi/(c + t sin^2(phi/2)) = 2 dT/(c + (c + t) T^2).
-FN real ring_integrand(Ring ring, real tangent, MaterialConstants m, ModelVariant variant)
+FN_INLINED real ring_integrand(Ring ring, real tangent, MaterialConstants m, ModelVariant variant)
 {
   const real t2 = tangent * tangent;
   const real v_m = ring_shadowing(ring, tangent, m, variant);
@@ -48,7 +48,7 @@ FN real ring_integrand(Ring ring, real tangent, MaterialConstants m, ModelVarian
     return v_m * REAL(2.0) / fma(c + ring.transverse, t2, c);
   }
   const real d2 = fma(ring.transverse, t2 / (REAL(1.0) + t2), ring.axial);
-  return v_m * exp(REAL(-0.25) * d2 / ring.rho2) * REAL(2.0) / (REAL(1.0) + t2);
+  return v_m * exponential(REAL(-0.25) * d2 / ring.rho2) * REAL(2.0) / (REAL(1.0) + t2);
 }
 
 // Over phi in [0, pi]. The half nearer to the lobe's centre, T = width sinh(y) in [0, 1], holds the peak;
@@ -67,21 +67,28 @@ FN real ring_integral(Ring ring, MaterialConstants m, ModelVariant variant)
     March march = march_begin(far ? REAL(1.0) : fmin(REAL(0.5), REAL(3.0) / reach));
     march.integral = integral;
     while (march_unfinished(march)) {
+      // In loops apart from the sums, so that compilers vectorise them.
+      real tangent[PANEL_NODES + 1];
+      real value[PANEL_NODES + 1];
+      for (int k = 0; k < PANEL_NODES + 1; ++k) {
+        const real z = fma(march.step, panel_node[k], march.position);
+        if (far) {
+          tangent[k] = REAL(1.0) / z;
+          value[k] = tangent[k] * tangent[k];
+        } else {
+          const real grown = exponential(reach * z);
+          const real shrunk = REAL(1.0) / grown;
+          tangent[k] = fmin(width * REAL(0.5) * (grown - shrunk), REAL(1.0));
+          value[k] = reach * width * REAL(0.5) * (grown + shrunk);
+        }
+      }
+      for (int k = 0; k < PANEL_NODES + 1; ++k)
+        value[k] *= ring_integrand(ring, tangent[k], m, variant);
       real kronrod = REAL(0.0);
       real gauss = REAL(0.0);
       for (int k = 0; k < PANEL_NODES; ++k) {
-        const real z = fma(march.step, panel_node[k], march.position);
-        real value;
-        if (far) {
-          value = ring_integrand(ring, REAL(1.0) / z, m, variant) / (z * z);
-        } else {
-          const real grown = exp(reach * z);
-          const real shrunk = REAL(1.0) / grown;
-          value = ring_integrand(ring, fmin(width * REAL(0.5) * (grown - shrunk), REAL(1.0)), m, variant) * reach * width *
-                  REAL(0.5) * (grown + shrunk);
-        }
-        kronrod = fma(kronrod_weight[k], value, kronrod);
-        gauss = fma(gauss_weight[k], value, gauss);
+        kronrod = fma(kronrod_weight[k], value[k], kronrod);
+        gauss = fma(gauss_weight[k], value[k], gauss);
       }
       march = march_advance(march, kronrod, gauss, REAL(0.5), RING_TOLERANCE, negligible);
     }

@@ -114,7 +114,7 @@ FN real normalized_profile(int lobe, LobeDistance d, AzimuthFactors azimuth, rea
   return d2 > REAL(0.0) ? n * exp(REAL(-0.25) * d2 / rho2) : n;
 }
 
-FN int lobe_is_shadowed(int lobe, ModelVariant variant)
+FN_INLINED int lobe_is_shadowed(int lobe, ModelVariant variant)
 {
   return variant.reflectance_shadowing == REFLECTANCE_SHADOWING_ALL ||
          (variant.reflectance_shadowing == REFLECTANCE_SHADOWING_SURFACE && lobe == LOBE_SURFACE);

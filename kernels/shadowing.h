@@ -2,6 +2,7 @@
 // Eq. (13), which multiplies its reflectance.
 #pragma once
 #include "dialect.h"
+#include "elementary.h"
 #include "incomplete_gamma.h"
 #include "material.h"
 
@@ -37,20 +38,25 @@ FN Attenuation incidence_shadowing(real sine, real cosine, MaterialConstants m)
   return attenuation(zeta > REAL(0.0) ? m.gamma * zeta * exp(-m.delta / (zeta * zeta)) : REAL(0.0));
 }
 
-// S = exp(-w_a |zeta| exp(-w_b / alpha^2)) with alpha = sin theta_s cos phi and
+// The exponent of S = exp(-w_a |zeta| exp(-w_b / alpha^2)) with alpha = sin theta_s cos phi and
 // zeta = alpha / sqrt(1 - alpha^2), where 1 - alpha^2 = cos^2 theta_s + sin^2 theta_s sin^2 phi
-// does not cancel; 1 at alpha = 0.
-FN Attenuation scatter_shadowing(real sine, real cosine, real cos_phi, real sin2_phi, MaterialConstants m)
+// does not cancel; 0 at alpha = 0.
+FN_INLINED real scatter_shadowing_exponent(real sine, real cosine, real cos_phi, real sin2_phi, MaterialConstants m)
 {
   const real alpha = fabs(sine * cos_phi);
   const real alpha2 = alpha * alpha;
   const real one_minus_alpha2 = fma(sine * sine, sin2_phi, cosine * cosine);
-  return attenuation(alpha2 > REAL(0.0) ? m.w_a * alpha / sqrt(one_minus_alpha2) * exp(-m.w_b / alpha2)
-                                        : REAL(0.0));
+  const real exponent = m.w_a * alpha / sqrt(one_minus_alpha2) * exponential(-m.w_b / alpha2);
+  return alpha2 > REAL(0.0) ? exponent : REAL(0.0);
+}
+
+FN_INLINED real scatter_shadowing(real sine, real cosine, real cos_phi, real sin2_phi, MaterialConstants m)
+{
+  return exponential(-scatter_shadowing_exponent(sine, cosine, cos_phi, sin2_phi, m));
 }
 
 // V_m, Eq. (13): (1 - E_0) + S E_0 on the forward side, alpha >= 0, and S on the other.
-FN real reflectance_shadowing(Attenuation incidence, Attenuation scatter, int forward)
+FN_INLINED real reflectance_shadowing(Attenuation incidence, real scatter, int forward)
 {
-  return forward ? fma(scatter.passed, incidence.passed, incidence.blocked) : scatter.passed;
+  return forward ? fma(scatter, incidence.passed, incidence.blocked) : scatter;
 }

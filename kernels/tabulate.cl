@@ -49,7 +49,7 @@ __kernel void scatter_shadowing_table(__global const PolarFactors *restrict pola
   const size_t s = get_global_id(1);
   const PolarFactors polar = polar_s[first_s + s];
   shadowing[s * azimuths + x] =
-      (table_real)scatter_shadowing(polar.sine, polar.cosine, azimuth[x].cos_phi, azimuth[x].sin2_phi, m).passed;
+      (table_real)scatter_shadowing(polar.sine, polar.cosine, azimuth[x].cos_phi, azimuth[x].sin2_phi, m);
 }
 
 // E_0 and 1 - E_0 of Eq. (13): [theta_i][2].
