@@ -5,10 +5,49 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host/error.hpp"
 #include "host/evaluate.hpp"
 #include "host/numbers.hpp"
 
 namespace brdftab {
+
+namespace {
+
+// Each pair of directions, and the same pair exchanged behind it.
+std::vector<DirectionPair> there_and_back() {
+  std::vector<DirectionPair> pairs;
+  for (int i = 5; i <= 85; i += 5)
+    for (int s = i + 5; s <= 85; s += 5)
+      for (int phi = 0; phi <= 180; phi += 15) {
+        pairs.push_back({double(i), double(s), double(phi), 0});
+        pairs.push_back({double(s), double(i), double(phi), 0});
+      }
+  return pairs;
+}
+
+Reciprocity defect(const std::vector<DirectionPair>& pairs, const std::vector<PolarizedBrdf>& f) {
+  Reciprocity result;
+  std::vector<double> defects;
+  for (std::size_t k = 0; k < pairs.size(); k += 2) {
+    const double forth = f[k].unpolarized();
+    const double back = f[k + 1].unpolarized();
+    // Where the model scatters nothing either way there is no defect.
+    const double logarithm = forth == back ? 0 : std::abs(std::log(forth / back));
+    if (logarithm > result.maximum) {
+      result.maximum = logarithm;
+      result.theta_i = pairs[k].theta_i;
+      result.theta_s = pairs[k].theta_s;
+      result.phi = pairs[k].phi;
+    }
+    defects.push_back(logarithm);
+  }
+  std::sort(defects.begin(), defects.end());
+  result.median = defects[defects.size() / 2];
+  result.percentile_90 = defects[defects.size() * 9 / 10];
+  return result;
+}
+
+}  // namespace
 
 std::vector<std::string> energy_warnings(const Material& material, const Band& band, std::span<const double> theta_i,
                                          const Dhr& dhr, const std::vector<Polarization>& polarizations) {
@@ -34,33 +73,18 @@ std::vector<std::string> energy_warnings(const Material& material, const Band& b
 }
 
 Reciprocity reciprocity(const Engine& engine, const Band& band, const ModelSwitches& switches) {
-  std::vector<DirectionPair> pairs;
-  for (int i = 5; i <= 85; i += 5)
-    for (int s = i + 5; s <= 85; s += 5)
-      for (int phi = 0; phi <= 180; phi += 15) {
-        pairs.push_back({double(i), double(s), double(phi), 0});
-        pairs.push_back({double(s), double(i), double(phi), 0});
-      }
-  const auto f = evaluate(engine, band, switches, pairs);
-  Reciprocity result;
-  std::vector<double> defects;
-  for (std::size_t k = 0; k < pairs.size(); k += 2) {
-    const double forth = f[k].unpolarized();
-    const double back = f[k + 1].unpolarized();
-    // Where the model scatters nothing either way there is no defect.
-    const double defect = forth == back ? 0 : std::abs(std::log(forth / back));
-    if (defect > result.maximum) {
-      result.maximum = defect;
-      result.theta_i = pairs[k].theta_i;
-      result.theta_s = pairs[k].theta_s;
-      result.phi = pairs[k].phi;
-    }
-    defects.push_back(defect);
+  const auto pairs = there_and_back();
+  try {
+    return defect(pairs, evaluate(engine, band, switches, pairs));
+  } catch (const BadInput&) {
+    // A Gaussian lobe whose N overflows at an angle that a table need not have: the reference works in logarithms.
+    return reference_reciprocity(band, switches);
   }
-  std::sort(defects.begin(), defects.end());
-  result.median = defects[defects.size() / 2];
-  result.percentile_90 = defects[defects.size() * 9 / 10];
-  return result;
+}
+
+Reciprocity reference_reciprocity(const Band& band, const ModelSwitches& switches) {
+  const auto pairs = there_and_back();
+  return defect(pairs, evaluate_reference(band, switches, pairs));
 }
 
 }  // namespace brdftab

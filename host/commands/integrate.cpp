@@ -59,6 +59,11 @@ ExitStatus run(const Options& options, const CommonOptions& common) {
     const Bhr albedo = engine ? bhr(*engine, band, material.switches()) : reference_bhr(band, material.switches());
     text += fmt::format("# bhr = {:.{}g}{}\n", albedo.of(polarization), digits,
                         band.wavelength_nm ? fmt::format(" at {} nm", shortest(*band.wavelength_nm)) : "");
+    const Reciprocity defect =
+        engine ? reciprocity(*engine, band, material.switches()) : reference_reciprocity(band, material.switches());
+    text += fmt::format(
+        "# reciprocity: median {:.4g}, 90 % {:.4g}, maximum {:.4g} at theta_i = {}, theta_s = {}, phi = {} degrees; {}\n",
+        defect.median, defect.percentile_90, defect.maximum, defect.theta_i, defect.theta_s, defect.phi, reciprocity_grid);
     for (const auto& warning : energy_warnings(material, band, theta_i.nodes(), at.dhr, {polarization})) say(common, warning);
   }
   std::fwrite(text.data(), 1, text.size(), stdout);
