@@ -13,6 +13,9 @@ namespace {
 constexpr std::size_t polar_factors_reals = 8;    // PolarFactors of model.h
 constexpr std::size_t azimuth_factors_reals = 5;  // AzimuthFactors of model.h, its padding included
 
+// Nodes of working memory that no table is too small for.
+constexpr std::size_t smallest_room = 1 << 20;
+
 // f is even and periodic in phi; both operations are exact.
 double folded_azimuth(double phi_i, double phi_s) { return std::abs(std::remainder(phi_s - phi_i, 360.0)); }
 
@@ -60,9 +63,7 @@ Plan::Plan(const Engine& engine, const Material& material, const Band& band, con
   engine_.run_small(kernel, {grid.theta_i.size(), 1, 1});
 }
 
-void Plan::prepare_azimuths(const Slab& slab) {
-  const Range phi_i = slab.phi_i;
-  if (azimuths_phi_i_ == phi_i) return;
+std::vector<int> Plan::fold_azimuths(Range phi_i) {
   const auto phi_s = grid_.phi_s.nodes();
   std::vector<double> all;
   all.reserve(phi_i.size() * phi_s.size());
@@ -71,15 +72,33 @@ void Plan::prepare_azimuths(const Slab& slab) {
   azimuths_ = all;
   // One phi_i: rows of phi_s come out in place. More: each distinct azimuth is computed once and spread.
   spread_ = phi_i.size() > 1;
-  if (spread_) {
-    std::sort(azimuths_.begin(), azimuths_.end());
-    azimuths_.erase(std::unique(azimuths_.begin(), azimuths_.end()), azimuths_.end());
-    std::vector<int> index(all.size());
-    std::transform(all.begin(), all.end(), index.begin(), [&](double phi) {
-      return as_int(static_cast<std::size_t>(std::lower_bound(azimuths_.begin(), azimuths_.end(), phi) - azimuths_.begin()));
-    });
-    azimuth_of_ = engine_.upload(std::span<const int>(index));
+  if (!spread_) return {};
+  std::sort(azimuths_.begin(), azimuths_.end());
+  azimuths_.erase(std::unique(azimuths_.begin(), azimuths_.end()), azimuths_.end());
+  std::vector<int> index(all.size());
+  std::transform(all.begin(), all.end(), index.begin(), [&](double phi) {
+    return as_int(static_cast<std::size_t>(std::lower_bound(azimuths_.begin(), azimuths_.end(), phi) - azimuths_.begin()));
+  });
+  return index;
+}
+
+void Plan::prepare_azimuths(const Slab& slab) {
+  if (azimuths_phi_i_ && azimuths_phi_i_->begin <= slab.phi_i.begin && slab.phi_i.end <= azimuths_phi_i_->end) return;
+  // All phi_i at once where their rows take no more room than a slab: uniform grids have few distinct azimuths.
+  Range group{0, grid_.phi_i.size()};
+  std::vector<int> index;
+  const std::size_t room = std::max(slab.nodes(), smallest_room);
+  bool whole_axis = !phi_i_by_slab_ && group.size() * grid_.phi_s.size() <= room;
+  if (whole_axis) {
+    index = fold_azimuths(group);
+    whole_axis = azimuths_.size() * slab.theta_i.size() * slab.theta_s.size() <= room;
   }
+  if (!whole_axis) {
+    phi_i_by_slab_ = true;
+    group = slab.phi_i;
+    index = fold_azimuths(group);
+  }
+  if (spread_) azimuth_of_ = engine_.upload(std::span<const int>(index));
   const std::size_t table_bytes = azimuths_.size() * bytes_of(engine_.table());
   azimuth_ = engine_.buffer(azimuths_.size() * azimuth_factors_reals * bytes_of(engine_.working()));
   sin2_half_ = engine_.buffer(table_bytes);
@@ -89,8 +108,9 @@ void Plan::prepare_azimuths(const Slab& slab) {
   cl::Kernel kernel = engine_.kernel("azimuth_table");
   set_arguments(kernel, phi, azimuth_, sin2_half_, cos2_half_, forward_);
   engine_.run_small(kernel, {azimuths_.size(), 1, 1});
-  azimuths_phi_i_ = phi_i;
+  azimuths_phi_i_ = group;
   shadowing_theta_s_.reset();
+  rows_of_.reset();
 }
 
 void Plan::prepare_shadowing(const Slab& slab) {
@@ -120,17 +140,7 @@ void Plan::tabulate_pairs(const Slab& slab, Polarization polarization) {
   engine_.run_small(kernel, {slab.theta_s.size(), slab.theta_i.size(), 1});
 }
 
-void Plan::tabulate(const Slab& slab, Polarization polarization, const cl::Buffer& samples) {
-  prepare_azimuths(slab);
-  prepare_shadowing(slab);
-  tabulate_pairs(slab, polarization);
-
-  const std::size_t rows_bytes = slab.theta_i.size() * slab.theta_s.size() * azimuths_.size() * bytes_of(engine_.table());
-  if (spread_ && rows_bytes > rows_bytes_) {
-    rows_ = engine_.buffer(rows_bytes);
-    rows_bytes_ = rows_bytes;
-  }
-  const cl::Buffer& rows = spread_ ? rows_ : samples;
+void Plan::tabulate_rows(const Slab& slab, const cl::Buffer& rows) {
   const auto shadowing = material_.switches().reflectance_shadowing;
   const cl_int surface_shadowed = shadowing != ReflectanceShadowing::none;
   const cl_int subsurface_shadowed = shadowing == ReflectanceShadowing::all;
@@ -143,12 +153,32 @@ void Plan::tabulate(const Slab& slab, Polarization polarization, const cl::Buffe
     set_arguments(kernel, pairs_, incidence_shadowing_, scatter_shadowing_, sin2_half_, cos2_half_, forward_, rows,
                   as_int(azimuths_.size()), first_i, surface_shadowed, subsurface_shadowed);
   engine_.run(kernel, {azimuths_.size(), slab.theta_s.size(), slab.theta_i.size()});
+}
 
-  if (spread_) {
-    cl::Kernel spread = engine_.kernel("spread_azimuths");
-    set_arguments(spread, rows_, azimuth_of_, samples, as_int(azimuths_.size()), as_int(slab.phi_s), as_int(slab.phi_i.size()));
-    engine_.run(spread, {slab.phi_s, slab.theta_s.size(), slab.theta_i.size() * slab.phi_i.size()});
+void Plan::tabulate(const Slab& slab, Polarization polarization, const cl::Buffer& samples) {
+  prepare_azimuths(slab);
+  prepare_shadowing(slab);
+  if (!spread_) {
+    tabulate_pairs(slab, polarization);
+    tabulate_rows(slab, samples);
+    return;
   }
+  // Slabs of one theta_i that differ in phi_i share their rows.
+  const RowsKey key{slab.theta_i, slab.theta_s, polarization};
+  if (rows_of_ != key) {
+    tabulate_pairs(slab, polarization);
+    const std::size_t bytes = slab.theta_i.size() * slab.theta_s.size() * azimuths_.size() * bytes_of(engine_.table());
+    if (bytes > rows_bytes_) {
+      rows_ = engine_.buffer(bytes);
+      rows_bytes_ = bytes;
+    }
+    tabulate_rows(slab, rows_);
+    rows_of_ = key;
+  }
+  cl::Kernel spread = engine_.kernel("spread_azimuths");
+  set_arguments(spread, rows_, azimuth_of_, samples, as_int(azimuths_.size()), as_int(slab.phi_s),
+                as_int(slab.phi_i.begin - azimuths_phi_i_->begin), as_int(slab.phi_i.size()));
+  engine_.run(spread, {slab.phi_s, slab.theta_s.size(), slab.theta_i.size() * slab.phi_i.size()});
 }
 
 void Plan::refuse(std::size_t i, std::size_t s, const std::string& where, std::string_view fault, int lobes) const {

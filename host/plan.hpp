@@ -29,9 +29,12 @@ class Plan {
   void check(const Slab& slab, std::span<const std::byte> samples);
 
  private:
+  /// Sets azimuths_ for a range of phi_i; returns, where they are to be spread, the azimuth of each (phi_i, phi_s).
+  std::vector<int> fold_azimuths(Range phi_i);
   void prepare_azimuths(const Slab& slab);
   void prepare_shadowing(const Slab& slab);
   void tabulate_pairs(const Slab& slab, Polarization polarization);
+  void tabulate_rows(const Slab& slab, const cl::Buffer& rows);
   [[noreturn]] void refuse(std::size_t i, std::size_t s, const std::string& where, std::string_view fault, int lobes) const;
 
   const Engine& engine_;
@@ -45,11 +48,19 @@ class Plan {
   std::optional<Normalizations> normalization_s_;
   cl::Buffer polar_i_, polar_s_, incidence_shadowing_;
 
-  // Of the last slab; kept while its ranges stay.
+  struct RowsKey {
+    Range theta_i, theta_s;
+    Polarization polarization;
+    bool operator==(const RowsKey&) const = default;
+  };
+
+  // Of the last slabs; kept while their ranges stay.
   std::optional<Range> azimuths_phi_i_;
   std::optional<Range> shadowing_theta_s_;
   std::vector<double> azimuths_;  // degrees, [0, 180]
-  bool spread_ = false;           // azimuths are distinct ones, not one row in the table's order
+  bool phi_i_by_slab_ = false;    // the rows of all phi_i at once would take too much room
+  std::optional<RowsKey> rows_of_;
+  bool spread_ = false;  // azimuths are distinct ones, not one row in the table's order
   cl::Buffer azimuth_, sin2_half_, cos2_half_, forward_, azimuth_of_, scatter_shadowing_;
   cl::Buffer pairs_, alarms_, rows_;
   std::size_t pairs_bytes_ = 0, rows_bytes_ = 0;

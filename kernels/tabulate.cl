@@ -193,14 +193,15 @@ __kernel void gaussian_samples(__global const real *restrict pairs, __global con
 }
 
 // f depends on phi_s - phi_i only: samples [theta_i][theta_s][azimuth] spread over
-// [theta_i][phi_i][theta_s][phi_s], azimuth_of: [phi_i][phi_s].
+// [theta_i][phi_i][theta_s][phi_s], azimuth_of: [phi_i][phi_s], read from first_phi_i on.
 __kernel void spread_azimuths(__global const table_real *restrict samples, __global const int *restrict azimuth_of,
-                              __global table_real *restrict f, int azimuths, int nodes_phi_s, int count_phi_i)
+                              __global table_real *restrict f, int azimuths, int nodes_phi_s, int first_phi_i,
+                              int count_phi_i)
 {
   const size_t x = get_global_id(0);
   const size_t s = get_global_id(1);
   const size_t i = get_global_id(2) / (size_t)count_phi_i;
-  const size_t phi_i = get_global_id(2) % (size_t)count_phi_i;
+  const size_t phi_i = first_phi_i + get_global_id(2) % (size_t)count_phi_i;
   f[(get_global_id(2) * get_global_size(1) + s) * nodes_phi_s + x] =
       samples[(i * get_global_size(1) + s) * azimuths + azimuth_of[phi_i * nodes_phi_s + x]];
 }
