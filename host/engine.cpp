@@ -107,13 +107,9 @@ void Engine::run_groups(const cl::Kernel& kernel, std::size_t size, std::size_t 
   queue_.enqueueNDRangeKernel(kernel, cl::NullRange, {size}, {group});
 }
 
-void Engine::run_uneven(const cl::Kernel& kernel, std::array<std::size_t, 3> size) const {
+void Engine::run_items(const cl::Kernel& kernel, std::array<std::size_t, 3> size) const {
   queue_.enqueueNDRangeKernel(kernel, {0, 0, 0}, {size[0], size[1], size[2]},
                               device_.is_gpu ? cl::NullRange : cl::NDRange(1, 1, 1));
-}
-
-void Engine::run_small(const cl::Kernel& kernel, std::array<std::size_t, 3> size) const {
-  queue_.enqueueNDRangeKernel(kernel, {0, 0, 0}, {size[0], size[1], size[2]});
 }
 
 }  // namespace brdftab

@@ -55,10 +55,9 @@ class Engine {
   void run(const cl::Kernel& kernel, std::array<std::size_t, 3> size) const;
   /// A one-dimensional range in work-groups of `group`, which must divide it.
   void run_groups(const cl::Kernel& kernel, std::size_t size, std::size_t group) const;
-  /// Long work-items of uneven length: on a CPU each is a work-group, so that all cores share them.
-  void run_uneven(const cl::Kernel& kernel, std::array<std::size_t, 3> size) const;
-  /// A range with the driver's choice of work-group, for small ranges: PoCL compiles a kernel anew for each new one.
-  void run_small(const cl::Kernel& kernel, std::array<std::size_t, 3> size) const;
+  /// A range of few or uneven work-items: on a CPU each is a work-group, so that all cores share them and PoCL, which
+  /// compiles a kernel anew for each size of work-group, does so once.
+  void run_items(const cl::Kernel& kernel, std::array<std::size_t, 3> size) const;
 
  private:
   Device device_;

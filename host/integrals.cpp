@@ -35,7 +35,7 @@ Dhr device_dhr(const Engine& engine, const Band& band, const ModelSwitches& swit
   cl::Kernel kernel = engine.kernel("dhrs");
   set_arguments(kernel, angles, n.on_device, buffers[0], buffers[1], buffers[2]);
   KernelMaterial(band.parameters, switches, engine.working()).set(kernel, 5);
-  engine.run_uneven(kernel, {theta.size(), 3, 1});
+  engine.run_items(kernel, {theta.size(), 3, 1});
   Dhr dhr{by_lobe(engine.download(buffers[0], count), theta.size()), by_lobe(engine.download(buffers[1], count), theta.size()),
           by_lobe(engine.download(buffers[2], count), theta.size())};
   for (std::size_t lobe = 0; lobe < 3; ++lobe)

@@ -25,7 +25,7 @@ Normalizations normalizations(const Engine& engine, const Band& band, const Mode
   cl::Kernel kernel = engine.kernel("normalizations");
   set_arguments(kernel, angles, result.on_device, errors);
   KernelMaterial(band.parameters, switches, engine.working()).set(kernel, 3);
-  engine.run_uneven(kernel, {theta.size(), 3, 1});
+  engine.run_items(kernel, {theta.size(), 3, 1});
   const auto values = engine.download(result.on_device, 3 * theta.size());
   const auto estimates = engine.download(errors, 3 * theta.size());
   for (std::size_t lobe = 0; lobe < 3; ++lobe) {

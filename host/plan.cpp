@@ -50,7 +50,7 @@ Plan::Plan(const Engine& engine, const Material& material, const Band& band, con
     cl::Kernel kernel = engine_.kernel("polar_table");
     set_arguments(kernel, theta, factors);
     kernel_material_.set(kernel, 2);
-    engine_.run_small(kernel, {axis.size(), 1, 1});
+    engine_.run_items(kernel, {axis.size(), 1, 1});
     return factors;
   };
   polar_i_ = polar_table(grid.theta_i);
@@ -60,7 +60,7 @@ Plan::Plan(const Engine& engine, const Material& material, const Band& band, con
   cl::Kernel kernel = engine_.kernel("incidence_shadowing_table");
   set_arguments(kernel, polar_i_, incidence_shadowing_);
   kernel_material_.set(kernel, 2, false);
-  engine_.run_small(kernel, {grid.theta_i.size(), 1, 1});
+  engine_.run_items(kernel, {grid.theta_i.size(), 1, 1});
 }
 
 std::vector<int> Plan::fold_azimuths(Range phi_i) {
@@ -107,7 +107,7 @@ void Plan::prepare_azimuths(const Slab& slab) {
   const cl::Buffer phi = engine_.upload(std::span<const double>(azimuths_));
   cl::Kernel kernel = engine_.kernel("azimuth_table");
   set_arguments(kernel, phi, azimuth_, sin2_half_, cos2_half_, forward_);
-  engine_.run_small(kernel, {azimuths_.size(), 1, 1});
+  engine_.run_items(kernel, {azimuths_.size(), 1, 1});
   azimuths_phi_i_ = group;
   shadowing_theta_s_.reset();
   rows_of_.reset();
@@ -137,7 +137,7 @@ void Plan::tabulate_pairs(const Slab& slab, Polarization polarization) {
                 as_int(normalization_s_ ? grid_.theta_s.size() : 0), as_int(slab.theta_i.begin), as_int(slab.theta_s.begin),
                 pairs_, alarms_, as_int(static_cast<std::size_t>(polarization)));
   kernel_material_.set(kernel, 11);
-  engine_.run_small(kernel, {slab.theta_s.size(), slab.theta_i.size(), 1});
+  engine_.run_items(kernel, {slab.theta_s.size(), slab.theta_i.size(), 1});
 }
 
 void Plan::tabulate_rows(const Slab& slab, const cl::Buffer& rows) {

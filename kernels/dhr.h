@@ -53,7 +53,7 @@ FN_INLINED real ring_integrand(Ring ring, real tangent, MaterialConstants m, Mod
 
 // Over phi in [0, pi]. The half nearer to the lobe's centre, T = width sinh(y) in [0, 1], holds the peak;
 // the other, 1/T in [0, 1], is smooth. They meet at phi = pi/2, where V_m has its kink.
-FN real ring_integral(Ring ring, MaterialConstants m, ModelVariant variant)
+FN_SHARED real ring_integral(Ring ring, MaterialConstants m, ModelVariant variant)
 {
   const real c = ring.axial + ring.rho2;
   const real width = variant.autocovariance == AUTOCOVARIANCE_LORENTZIAN
@@ -126,7 +126,7 @@ typedef struct {
   real p;
 } Reflected;
 
-FN Reflected reflected(PeakPoint point, PolarFactors incidence, Ring ring, PeakWidth width, real n_i, MaterialConstants m,
+FN_SHARED Reflected reflected(PeakPoint point, PolarFactors incidence, Ring ring, PeakWidth width, real n_i, MaterialConstants m,
                        ModelVariant variant)
 {
   ring.sine_s = sqrt(point.u);

@@ -22,6 +22,8 @@ typedef float real;
 #define FN static inline
 // Where a loop around the call is to be vectorised.
 #define FN_INLINED static inline __attribute__((always_inline))
+// Large functions that are called from several places: one copy each, or drivers compile for seconds.
+#define FN_SHARED static __attribute__((noinline))
 #define CONSTANT __constant
 
 #else
@@ -33,6 +35,7 @@ using std::exp, std::expm1, std::fabs, std::fma, std::fmax, std::fmin, std::isfi
 #define REAL(literal) static_cast<real>(literal)
 #define FN inline
 #define FN_INLINED inline __attribute__((always_inline))
+#define FN_SHARED inline
 #define CONSTANT static constexpr
 #if BRDFTAB_WORKING_DOUBLE
 #define AS_REAL(bits) std::bit_cast<double>(static_cast<std::int64_t>(bits))

@@ -12,7 +12,7 @@ typedef struct {
 // With x = a lambda, D = x^a e^-x / Gamma(1 + a) = exp(ln_scale - a (lambda - 1 - ln lambda)).
 // Below x = a + 1: Q = 1 - D sum x^k / ((a+1)...(a+k)), all terms positive; above:
 // Legendre's continued fraction by Lentz's method.
-FN UpperGamma upper_gamma(real a, real lambda, real ln_scale)
+FN_SHARED UpperGamma upper_gamma(real a, real lambda, real ln_scale)
 {
   const real x = a * lambda;
   const real ln_d = ln_scale - a * ((lambda - REAL(1.0)) - log(lambda));

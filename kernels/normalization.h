@@ -121,7 +121,7 @@ FN real integrated_rho2(PeakPoint point, real cosine_i, PeakWidth width, Materia
 }
 
 // N of one lobe at theta_i.
-FN Normalization normalization(SineCosine incidence, int lobe, MaterialConstants m, ModelVariant variant)
+FN_SHARED Normalization normalization(SineCosine incidence, int lobe, MaterialConstants m, ModelVariant variant)
 {
   const real rho2 = lobe_rho2(lobe, m);
   const real mu2_i = incidence.cosine * incidence.cosine;

@@ -53,7 +53,7 @@ TEST(Device, SharedStructsHaveOneLayout) {
     const cl::Buffer bytes = e.buffer(2 * sizeof(cl_int));
     cl::Kernel kernel = e.kernel("layout");
     set_arguments(kernel, bytes);
-    e.run_small(kernel, {1, 1, 1});
+    e.run_items(kernel, {1, 1, 1});
     const auto sizes = e.download_ints(bytes, 2);
     EXPECT_EQ(sizes[0], working == Precision::float64 ? static_cast<int>(sizeof(kernel_f64::MaterialConstants))
                                                       : static_cast<int>(sizeof(kernel_f32::MaterialConstants)));
