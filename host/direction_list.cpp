@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "host/error.hpp"
+#include "host/interrupt.hpp"
 #include "host/numbers.hpp"
 
 namespace brdftab {
@@ -48,8 +49,8 @@ double angle(std::string_view cell, std::string_view column, double minimum, dou
   const auto value = parse_number(cell);
   const bool in_range = value && *value >= minimum && *value <= maximum && (closed || (*value > minimum && *value < maximum));
   if (!in_range)
-    throw BadInput("{}: {} = {}: must be a number {} {} to {} degrees", where, column, excerpt(cell), closed ? "from" : "between",
-                   minimum, maximum);
+    throw BadInput("{}: {} = {}: must be a number {} {} {} {} degrees", where, column, excerpt(cell),
+                   closed ? "from" : "strictly between", minimum, closed ? "to" : "and", maximum);
   return *value == 0 ? 0 : *value;
 }
 
@@ -88,6 +89,7 @@ std::vector<DirectionPair> read_directions(std::istream& in, const std::string& 
     }
     pairs.push_back(pair);
   }
+  stop_if_interrupted();
   if (!columns) throw BadInput("{}:1: is empty; a header must name theta_i_deg, theta_s_deg and phi_deg", source);
   return pairs;
 }

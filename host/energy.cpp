@@ -31,8 +31,9 @@ Reciprocity defect(const std::vector<DirectionPair>& pairs, const std::vector<Po
   for (std::size_t k = 0; k < pairs.size(); k += 2) {
     const double forth = f[k].unpolarized();
     const double back = f[k + 1].unpolarized();
-    // Where the model scatters nothing either way there is no defect.
-    const double logarithm = forth == back ? 0 : std::abs(std::log(forth / back));
+    // Where the model scatters nothing either way there is nothing to compare.
+    if (forth == 0 && back == 0) continue;
+    const double logarithm = std::abs(std::log(forth / back));
     if (logarithm > result.maximum) {
       result.maximum = logarithm;
       result.theta_i = pairs[k].theta_i;
@@ -41,6 +42,8 @@ Reciprocity defect(const std::vector<DirectionPair>& pairs, const std::vector<Po
     }
     defects.push_back(logarithm);
   }
+  result.pairs = defects.size();
+  if (defects.empty()) return result;
   std::sort(defects.begin(), defects.end());
   result.median = defects[defects.size() / 2];
   result.percentile_90 = defects[defects.size() * 9 / 10];
@@ -66,8 +69,8 @@ std::vector<std::string> energy_warnings(const Material& material, const Band& b
     warnings.push_back(fmt::format(
         "{}{}: DHR is above 1 at {} of {} theta_i ({} light): {:.6g} at theta_i = {} degrees, where the {} lobe has {:.6g}",
         material.name(), band.wavelength_nm ? fmt::format(", {} nm", shortest(*band.wavelength_nm)) : "", above, theta_i.size(),
-        polarization_names[static_cast<std::size_t>(polarization)], dhr.total(worst, polarization), shortest(theta_i[worst]),
-        lobe_names[lobe], dhr.lobe(lobe, worst, polarization)));
+        polarization == Polarization::unpolarized ? "unpolarised" : polarization_names[static_cast<std::size_t>(polarization)],
+        dhr.total(worst, polarization), shortest(theta_i[worst]), lobe_names[lobe], dhr.lobe(lobe, worst, polarization)));
   }
   return warnings;
 }

@@ -14,6 +14,7 @@ std::vector<std::string> energy_warnings(const Material& material, const Band& b
 
 /// |ln f(i,s)/f(s,i)| over a grid of direction pairs.
 struct Reciprocity {
+  std::size_t pairs = 0;  // compared; those that scatter nothing either way are not
   double median = 0;
   double percentile_90 = 0;
   double maximum = 0;

@@ -6,6 +6,7 @@
 #include "host/error.hpp"
 #include "host/kernel_constants.hpp"
 #include "host/kernel_source.hpp"
+#include "host/numbers.hpp"
 
 namespace brdftab {
 namespace {
@@ -76,6 +77,13 @@ cl::Buffer Engine::upload(std::span<const int> values) const {
   return result;
 }
 
+cl::Buffer Engine::upload_polar_angles(std::span<const double> theta) const {
+  for (const double angle : theta)
+    if (working_ == Precision::float32 && static_cast<float>(angle) >= 90)
+      throw BadInput("theta = {} degrees is 90 in float32 arithmetic: it must stay below 89.999996", shortest(angle));
+  return upload(theta);
+}
+
 std::vector<double> Engine::download(const cl::Buffer& buffer, std::size_t count) const {
   std::vector<double> values(count);
   if (count == 0) return values;
@@ -107,8 +115,8 @@ void Engine::run_groups(const cl::Kernel& kernel, std::size_t size, std::size_t 
   queue_.enqueueNDRangeKernel(kernel, cl::NullRange, {size}, {group});
 }
 
-void Engine::run_items(const cl::Kernel& kernel, std::array<std::size_t, 3> size) const {
-  queue_.enqueueNDRangeKernel(kernel, {0, 0, 0}, {size[0], size[1], size[2]},
+void Engine::run_items(const cl::Kernel& kernel, std::array<std::size_t, 3> size, std::size_t first_x) const {
+  queue_.enqueueNDRangeKernel(kernel, {first_x, 0, 0}, {size[0], size[1], size[2]},
                               device_.is_gpu ? cl::NullRange : cl::NDRange(1, 1, 1));
 }
 

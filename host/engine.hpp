@@ -47,6 +47,8 @@ class Engine {
   /// A buffer of numbers in the working precision.
   cl::Buffer upload(std::span<const double> values) const;
   cl::Buffer upload(std::span<const int> values) const;
+  /// Polar angles in degrees. Throws BadInput where the working precision would round one to 90.
+  cl::Buffer upload_polar_angles(std::span<const double> theta) const;
   /// Reads numbers in the working precision; waits for the queue.
   std::vector<double> download(const cl::Buffer& buffer, std::size_t count) const;
   std::vector<int> download_ints(const cl::Buffer& buffer, std::size_t count) const;
@@ -57,7 +59,7 @@ class Engine {
   void run_groups(const cl::Kernel& kernel, std::size_t size, std::size_t group) const;
   /// A range of few or uneven work-items: on a CPU each is a work-group, so that all cores share them and PoCL, which
   /// compiles a kernel anew for each size of work-group, does so once.
-  void run_items(const cl::Kernel& kernel, std::array<std::size_t, 3> size) const;
+  void run_items(const cl::Kernel& kernel, std::array<std::size_t, 3> size, std::size_t first_x = 0) const;
 
  private:
   Device device_;

@@ -11,7 +11,7 @@ namespace brdftab {
 
 enum class ExitStatus { done = 0, check_failed = 1, bad_input = 2, device = 3, file = 4, interrupted = 130 };
 
-/// Thrown where a fault happens, caught once in main. The message is one line.
+/// Thrown where a fault happens, caught once in main. The message is one line, but for a build log.
 class Error : public std::runtime_error {
  public:
   Error(ExitStatus status, const std::string& message) : std::runtime_error(message), status_(status) {}

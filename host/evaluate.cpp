@@ -51,7 +51,7 @@ void evaluate_part(const Engine& engine, const Band& band, const ModelSwitches& 
   const std::size_t bytes = padded * bytes_of(engine.working());
   const cl::Buffer f_s = engine.buffer(bytes);
   const cl::Buffer f_p = engine.buffer(bytes);
-  const std::array angles_of_pairs{engine.upload(theta_i), engine.upload(theta_s), engine.upload(phi)};
+  const std::array angles_of_pairs{engine.upload_polar_angles(theta_i), engine.upload_polar_angles(theta_s), engine.upload(phi)};
   const std::array n_of_pairs{engine.upload(incidence), engine.upload(scatter)};
   cl::Kernel kernel = engine.kernel("evaluate");
   set_arguments(kernel, angles_of_pairs[0], angles_of_pairs[1], angles_of_pairs[2], n_of_pairs[0], n_of_pairs[1], n.on_device,

@@ -14,6 +14,11 @@
 namespace brdftab {
 namespace {
 
+constexpr double most_samples = 1e13;
+// What a table promises of its samples; see the ladder of tests.
+constexpr double promised_float32 = 1e-6;
+constexpr double promised_float64 = 1e-12;
+
 // A writer knows the partial file only; its user, the table's name.
 template <class Work>
 void naming(const std::filesystem::path& target, Work work) {
@@ -30,7 +35,12 @@ GenerateSummary generate(const Engine& engine, const Material& material, const G
                          const CreateTable& create, const GenerateOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   const std::size_t node_bytes = bytes_of(engine.table());
-  const std::size_t samples = grid.directions() * material.bands().size() * options.polarizations.size();
+  const long double wanted = static_cast<long double>(grid.theta_i.size()) * grid.phi_i.size() * grid.theta_s.size() *
+                             grid.phi_s.size() * material.bands().size() * options.polarizations.size();
+  if (wanted > most_samples)
+    throw BadInput("{}: the table would have {:.3g} samples: at most {:.0e} are allowed", target.string(),
+                   static_cast<double>(wanted), most_samples);
+  const auto samples = static_cast<std::size_t>(wanted);
   PartialFile file(target, options.force);
   file.require_space(samples * node_bytes);
 
@@ -78,6 +88,12 @@ GenerateSummary generate(const Engine& engine, const Material& material, const G
     ring.drain();
   }
   findings.accuracy = spot_check.compare();
+  const double promised = engine.table() == Precision::float64 ? promised_float64 : promised_float32;
+  if (engine.working() == Precision::float64 && !(findings.accuracy.max_relative_error <= promised))
+    throw Error(ExitStatus::check_failed,
+                "{}: not written: a sample differs from the scalar reference by {:.1e}, more than {:.0e}; the device or its "
+                "driver is at fault",
+                target.string(), findings.accuracy.max_relative_error, promised);
   stop_if_interrupted();
   naming(target, [&] { writer->finish(findings); });
   file.commit();

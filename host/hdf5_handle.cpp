@@ -1,5 +1,6 @@
 #include "host/hdf5_handle.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 #include <system_error>
 
@@ -78,16 +79,21 @@ void write_attribute(hid_t object, const std::string& name, std::span<const doub
   hdf5_check(H5Awrite(attribute, H5T_NATIVE_DOUBLE, values.data()), "attribute " + name);
 }
 
-bool has_attribute(hid_t object, const std::string& name) { return H5Aexists(object, name.c_str()) > 0; }
-
-std::string read_text_attribute(hid_t object, const std::string& name) {
+bool has_text_attribute(hid_t object, const std::string& name) {
+  if (H5Aexists(object, name.c_str()) <= 0) return false;
   const Hdf5Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), "attribute " + name);
   const Hdf5Handle type(H5Aget_type(attribute), "attribute " + name);
-  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0)
-    throw FileError("attribute {} is not a fixed-length string", name);
+  const Hdf5Handle space(H5Aget_space(attribute), "attribute " + name);
+  return H5Tget_class(type) == H5T_STRING && H5Tis_variable_str(type) == 0 && H5Sget_simple_extent_npoints(space) == 1;
+}
+
+std::string read_text_attribute(hid_t object, const std::string& name) {
+  if (!has_text_attribute(object, name)) throw FileError("attribute {} is not one fixed-length string", name);
+  const Hdf5Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), "attribute " + name);
+  const Hdf5Handle type(H5Aget_type(attribute), "attribute " + name);
   std::string text(H5Tget_size(type), '\0');
   hdf5_check(H5Aread(attribute, type, text.data()), "attribute " + name);
-  text.resize(text.find('\0') == std::string::npos ? text.size() : text.find('\0'));
+  text.resize(std::min(text.find('\0'), text.size()));
   return text;
 }
 

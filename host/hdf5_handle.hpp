@@ -42,8 +42,9 @@ void write_attribute(hid_t object, const std::string& name, std::string_view tex
 void write_attribute(hid_t object, const std::string& name, double value);
 void write_attribute(hid_t object, const std::string& name, std::span<const double> values);
 
-/// Attributes of an open object; throw FileError where there is none of that kind.
+/// Whether an open object has an attribute that is one fixed-length string.
+bool has_text_attribute(hid_t object, const std::string& name);
+/// Throws FileError where it has none.
 std::string read_text_attribute(hid_t object, const std::string& name);
-bool has_attribute(hid_t object, const std::string& name);
 
 }  // namespace brdftab

@@ -43,11 +43,11 @@ std::vector<AttributeInfo> attributes_of(hid_t object) {
     const Hdf5Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), name);
     const Hdf5Handle type(H5Aget_type(attribute), name);
     const Hdf5Handle space(H5Aget_space(attribute), name);
-    if (H5Tget_class(type) == H5T_STRING && H5Tis_variable_str(type) == 0) {
+    if (has_text_attribute(object, name)) {
       attributes.push_back({name, read_text_attribute(object, name)});
     } else if (H5Tget_class(type) == H5T_FLOAT) {
       const auto shape = shape_of(space);
-      std::vector<double> values(shape.empty() ? 1 : shape[0]);
+      std::vector<double> values(static_cast<std::size_t>(std::max<hssize_t>(H5Sget_simple_extent_npoints(space), 0)));
       hdf5_check(H5Aread(attribute, H5T_NATIVE_DOUBLE, values.data()), name);
       if (shape.empty())
         attributes.push_back({name, values[0]});
@@ -76,16 +76,21 @@ std::vector<std::string> dimensions_of(hid_t dataset, std::size_t rank) {
   return names;
 }
 
+std::string type_name(hid_t type) {
+  const bool floating = H5Tget_class(type) == H5T_FLOAT;
+  return fmt::format("{}{}", floating ? "float" : "other", 8 * H5Tget_size(type));
+}
+
 VariableInfo variable_of(hid_t file, const std::string& name) {
   const Hdf5Handle dataset(H5Dopen2(file, name.c_str(), H5P_DEFAULT), name);
   const Hdf5Handle space(H5Dget_space(dataset), name);
   const Hdf5Handle type(H5Dget_type(dataset), name);
   VariableInfo variable{.name = name,
-                        .type = H5Tget_size(type) == 8 ? "float64" : "float32",
+                        .type = type_name(type),
                         .shape = shape_of(space),
                         .dimensions = {},
-                        .units = has_attribute(dataset, "units") ? read_text_attribute(dataset, "units") : "",
-                        .long_name = has_attribute(dataset, "long_name") ? read_text_attribute(dataset, "long_name") : "",
+                        .units = has_text_attribute(dataset, "units") ? read_text_attribute(dataset, "units") : "",
+                        .long_name = has_text_attribute(dataset, "long_name") ? read_text_attribute(dataset, "long_name") : "",
                         .is_axis = H5DSis_scale(dataset) > 0,
                         .values = {}};
   variable.dimensions = variable.is_axis ? std::vector{name} : dimensions_of(dataset, variable.shape.size());
@@ -106,7 +111,7 @@ TableInfo read_hdf5_info(const std::filesystem::path& path) {
   if (H5Fis_hdf5(path.c_str()) <= 0) throw BadInput("{}: is not an HDF5 file", path.string());
   const Hdf5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), path.string());
   const Hdf5Handle root(H5Gopen2(file, "/", H5P_DEFAULT), path.string());
-  if (!has_attribute(root, "material") || !has_attribute(root, "azimuth_convention"))
+  if (!has_text_attribute(root, "material") || !has_text_attribute(root, "azimuth_convention"))
     throw BadInput("{}: is an HDF5 file, but not a table of brdftab", path.string());
   TableInfo info;
   info.attributes = attributes_of(root);

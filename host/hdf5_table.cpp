@@ -132,6 +132,12 @@ class Hdf5Table : public TableWriter {
         write_attribute(root, name, values);
     };
     write_attribute(root, "reciprocity", reciprocity_grid);
+    std::vector<double> pairs;
+    for (const auto& band : bands) pairs.push_back(static_cast<double>(band.pairs));
+    if (pairs.size() == 1)
+      write_attribute(root, "reciprocity_pairs", pairs[0]);
+    else
+      write_attribute(root, "reciprocity_pairs", pairs);
     write("reciprocity_median", &Reciprocity::median);
     write("reciprocity_90_percent", &Reciprocity::percentile_90);
     write("reciprocity_max", &Reciprocity::maximum);

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "host/error.hpp"
+#include "host/interrupt.hpp"
 #include "host/numbers.hpp"
 #include "host/reference/model.hpp"
 
@@ -31,11 +32,11 @@ Dhr device_dhr(const Engine& engine, const Band& band, const ModelSwitches& swit
   const std::size_t count = 3 * theta.size();
   const std::size_t bytes = count * bytes_of(engine.working());
   const std::array buffers{engine.buffer(bytes), engine.buffer(bytes), engine.buffer(bytes)};
-  const cl::Buffer angles = engine.upload(theta);
+  const cl::Buffer angles = engine.upload_polar_angles(theta);
   cl::Kernel kernel = engine.kernel("dhrs");
-  set_arguments(kernel, angles, n.on_device, buffers[0], buffers[1], buffers[2]);
-  KernelMaterial(band.parameters, switches, engine.working()).set(kernel, 5);
-  engine.run_items(kernel, {theta.size(), 3, 1});
+  set_arguments(kernel, angles, static_cast<cl_int>(theta.size()), n.on_device, buffers[0], buffers[1], buffers[2]);
+  KernelMaterial(band.parameters, switches, engine.working()).set(kernel, 6);
+  run_by_angle(engine, kernel, theta.size());
   Dhr dhr{by_lobe(engine.download(buffers[0], count), theta.size()), by_lobe(engine.download(buffers[1], count), theta.size()),
           by_lobe(engine.download(buffers[2], count), theta.size())};
   for (std::size_t lobe = 0; lobe < 3; ++lobe)
@@ -159,6 +160,7 @@ Integrals reference_integrals(const Band& band, const ModelSwitches& switches, s
   const reference::Model model(band.parameters, switches);
   Integrals result;
   for (const double angle : theta) {
+    stop_if_interrupted();
     const auto dhr = model.dhr(angle);
     const std::array s{dhr.s.surface, dhr.s.bulk, dhr.s.retro};
     const std::array p{dhr.p.surface, dhr.p.bulk, dhr.p.retro};

@@ -1,4 +1,4 @@
-// SIGINT and SIGTERM as a question that long work asks.
+// SIGINT, SIGTERM and SIGHUP as a question that long work asks.
 #pragma once
 
 namespace brdftab {

@@ -1,7 +1,9 @@
 // The command line: a table of commands, and the one place where errors end.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <new>
 
 #include "host/commands/command.hpp"
@@ -29,7 +31,12 @@ constexpr CommandRow command_table[] = {
 
 int fail(ExitStatus status, std::string_view message) {
   std::fflush(stdout);
-  fmt::print(stderr, "brdftab: {}\n", message);
+  // One line, whatever stands in a file's name; only a build log has more.
+  std::string line(message);
+  if (status != ExitStatus::device)
+    std::replace_if(
+        line.begin(), line.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, '?');
+  fmt::print(stderr, "brdftab: {}\n", line);
   return static_cast<int>(status);
 }
 
@@ -58,12 +65,20 @@ int run(int argc, char** argv) {
     parser->add_flag("-q,--quiet", common.quiet, "No talk on standard error but errors");
     parser->callback([&chosen, run_command = row.command(*parser, common)] { chosen = run_command; });
   }
+  if (argc > 1 && argv[1][0] != '-' && std::none_of(std::begin(command_table), std::end(command_table), [&](const auto& row) {
+        return row.name == std::string_view(argv[1]);
+      })) {
+    std::vector<std::string_view> names;
+    for (const auto& row : command_table) names.push_back(row.name);
+    return fail(ExitStatus::bad_input, fmt::format("there is no command '{}'; there are {}", argv[1], fmt::join(names, ", ")));
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {  // --help, --version
     return app.exit(success);
   } catch (const CLI::ParseError& error) {
-    return fail(ExitStatus::bad_input, fmt::format("{}; see brdftab --help", error.what()));
+    return fail(ExitStatus::bad_input, fmt::format("{}; see brdftab{} --help", error.what(),
+                                                   argc > 1 && argv[1][0] != '-' ? fmt::format(" {}", argv[1]) : ""));
   }
   catch_interrupts();
   const ExitStatus status = chosen();
@@ -82,6 +97,8 @@ int main(int argc, char** argv) {
     return brdftab::fail(error.status(), error.what());
   } catch (const cl::Error& error) {
     return brdftab::fail(ExitStatus::device, brdftab::describe(error));
+  } catch (const std::filesystem::filesystem_error& error) {
+    return brdftab::fail(ExitStatus::file, error.what());
   } catch (const std::bad_alloc&) {
     return brdftab::fail(ExitStatus::device, "the host is out of memory");
   } catch (const std::exception& error) {

@@ -10,11 +10,31 @@
 #include <numeric>
 
 #include "host/error.hpp"
+#include "host/interrupt.hpp"
 #include "host/numbers.hpp"
 #include "host/switches.hpp"
 
 namespace brdftab {
 namespace {
+
+/// A fault whose message names its place.
+class PlacedFault : public BadInput {
+ public:
+  using BadInput::BadInput;
+};
+
+// The parser recurses over the parts of a dotted key.
+constexpr std::ptrdiff_t most_dots_of_a_key = 64;
+
+// Where a column, which counts characters, begins in a line of UTF-8.
+std::size_t byte_of_column(std::string_view line, std::size_t column) {
+  std::size_t at = 0;
+  for (std::size_t k = 1; k < column && at < line.size(); ++k) {
+    ++at;
+    while (at < line.size() && (static_cast<unsigned char>(line[at]) & 0xc0) == 0x80) ++at;
+  }
+  return at;
+}
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
@@ -88,7 +108,7 @@ class MaterialReader {
 
  private:
   [[noreturn]] void fail(const toml::source_region& where, const std::string& what) const {
-    throw BadInput("{}:{}:{}: {}", source_, std::max(where.begin.line, 1u), std::max(where.begin.column, 1u), what);
+    throw PlacedFault("{}:{}:{}: {}", source_, std::max(where.begin.line, 1u), std::max(where.begin.column, 1u), what);
   }
 
   [[noreturn]] void fail(std::string_view key, const toml::node& node, const std::string& what) const {
@@ -102,6 +122,13 @@ class MaterialReader {
       for (std::size_t column = 0; column < lines_[line].size(); ++column)
         if (const auto c = static_cast<unsigned char>(lines_[line][column]); (c < 0x20 && c != '\t' && c != '\r') || c == 0x7f)
           throw BadInput("{}:{}:{}: byte 0x{:02x}: a material is a text file in TOML", source_, line + 1, column + 1, c);
+    for (std::size_t line = 0; line < lines_.size(); ++line) {
+      const auto text = trimmed(lines_[line]);
+      const auto key =
+          text.starts_with('[') ? text : text.substr(0, text.find('=') == std::string_view::npos ? 0 : text.find('='));
+      if (std::count(key.begin(), key.end(), '.') > most_dots_of_a_key)
+        throw BadInput("{}:{}:1: {}: a key has at most {} dots", source_, line + 1, excerpt(key), most_dots_of_a_key);
+    }
   }
 
   // The value as the file spells it.
@@ -109,9 +136,8 @@ class MaterialReader {
     const auto& region = node.source();
     if (region.begin.line == 0 || region.begin.line > lines_.size()) return std::string(type_name(node));
     const auto line = lines_[region.begin.line - 1];
-    const std::size_t begin = std::min<std::size_t>(region.begin.column - 1, line.size());
-    const std::size_t end =
-        region.end.line == region.begin.line ? std::min<std::size_t>(region.end.column - 1, line.size()) : line.size();
+    const std::size_t begin = byte_of_column(line, region.begin.column);
+    const std::size_t end = region.end.line == region.begin.line ? byte_of_column(line, region.end.column) : line.size();
     return excerpt(trimmed(line.substr(begin, end - begin)));
   }
 
@@ -135,6 +161,8 @@ class MaterialReader {
     }
     if (!node->is_string()) fail(key, *node, "must be a string");
     const std::string value = **node->as_string();
+    const auto is_control = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
+    if (std::any_of(value.begin(), value.end(), is_control)) fail(key, *node, "must be one line without control characters");
     if (required && trimmed(value).empty()) fail(key, *node, "must not be empty");
     return value;
   }
@@ -247,8 +275,9 @@ class MaterialReader {
       const std::string key = fmt::format("grid.{}", row.name);
       try {
         material_.grid_[row.kind] = axis(key, row.kind, *node);
+      } catch (const PlacedFault&) {
+        throw;
       } catch (const BadInput& error) {
-        if (std::string_view(error.what()).starts_with(source_)) throw;
         fail(key, *node, error.what());
       }
     }
@@ -276,6 +305,7 @@ Material Material::read(const std::filesystem::path& file) {
     text.resize(largest_material_bytes + 1);
     in.read(text.data(), static_cast<std::streamsize>(text.size()));
     text.resize(static_cast<std::size_t>(in.gcount()));
+    stop_if_interrupted();
   };
   if (file == "-") {
     take(std::cin);

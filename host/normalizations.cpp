@@ -4,9 +4,16 @@
 #include <cmath>
 
 #include "host/error.hpp"
+#include "host/interrupt.hpp"
 #include "host/numbers.hpp"
 
 namespace brdftab {
+namespace {
+
+// Few enough that an interruption need not wait long.
+constexpr std::size_t angles_at_once = 128;
+
+}  // namespace
 
 double Normalizations::largest_error() const {
   double largest = 0;
@@ -15,17 +22,25 @@ double Normalizations::largest_error() const {
   return largest;
 }
 
+void run_by_angle(const Engine& engine, const cl::Kernel& kernel, std::size_t angles) {
+  for (std::size_t begin = 0; begin < angles; begin += angles_at_once) {
+    stop_if_interrupted();
+    engine.run_items(kernel, {std::min(angles_at_once, angles - begin), 3, 1}, begin);
+    engine.queue().finish();
+  }
+}
+
 Normalizations normalizations(const Engine& engine, const Band& band, const ModelSwitches& switches,
                               std::span<const double> theta) {
   const std::size_t bytes = 3 * theta.size() * bytes_of(engine.working());
-  const cl::Buffer angles = engine.upload(theta);
+  const cl::Buffer angles = engine.upload_polar_angles(theta);
   const cl::Buffer errors = engine.buffer(bytes);
   Normalizations result;
   result.on_device = engine.buffer(bytes);
   cl::Kernel kernel = engine.kernel("normalizations");
-  set_arguments(kernel, angles, result.on_device, errors);
-  KernelMaterial(band.parameters, switches, engine.working()).set(kernel, 3);
-  engine.run_items(kernel, {theta.size(), 3, 1});
+  set_arguments(kernel, angles, static_cast<cl_int>(theta.size()), result.on_device, errors);
+  KernelMaterial(band.parameters, switches, engine.working()).set(kernel, 4);
+  run_by_angle(engine, kernel, theta.size());
   const auto values = engine.download(result.on_device, 3 * theta.size());
   const auto estimates = engine.download(errors, 3 * theta.size());
   for (std::size_t lobe = 0; lobe < 3; ++lobe) {

@@ -20,6 +20,9 @@ struct Normalizations {
   double largest_error() const;
 };
 
+/// Runs a kernel over angles x lobes, in pieces between which an interruption is answered.
+void run_by_angle(const Engine& engine, const cl::Kernel& kernel, std::size_t angles);
+
 /// Polar angles in degrees. Throws BadInput, which names lobe, angle and parameters, where N is not finite.
 Normalizations normalizations(const Engine& engine, const Band& band, const ModelSwitches& switches,
                               std::span<const double> theta);

@@ -10,7 +10,7 @@
 
 namespace brdftab {
 
-/// "clBuildProgram failed: CL_BUILD_PROGRAM_FAILURE (-11)".
+/// "the kernels do not build (clBuildProgram, -11)".
 std::string describe(const cl::Error& error);
 
 }  // namespace brdftab

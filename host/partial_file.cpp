@@ -24,11 +24,16 @@ std::string system_message(int code) { return std::generic_category().message(co
 
 PartialFile::PartialFile(std::filesystem::path target, bool force) : target_(std::move(target)), force_(force) {
   std::error_code error;
+  // Through a link, so that the link stays.
+  if (std::filesystem::is_symlink(target_, error)) target_ = std::filesystem::weakly_canonical(target_, error);
   const auto folder = target_.has_parent_path() ? target_.parent_path() : std::filesystem::path(".");
   if (std::filesystem::is_directory(target_, error)) throw FileError("{}: is a folder", target_.string());
   if (!std::filesystem::is_directory(folder, error))
     throw FileError("{}: the folder {} does not exist", target_.string(), folder.string());
-  if (!force && std::filesystem::exists(std::filesystem::symlink_status(target_, error))) refuse_overwrite(target_);
+  const auto status = std::filesystem::symlink_status(target_, error);
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+    throw FileError("{}: is not a regular file", target_.string());
+  if (!force && std::filesystem::exists(status)) refuse_overwrite(target_);
   std::string name = (folder / fmt::format(".{}.XXXXXX", target_.filename().string())).string();
   const int descriptor = mkstemp(name.data());
   if (descriptor < 0) throw FileError("{}: cannot be written: {}", target_.string(), system_message(errno));

@@ -16,7 +16,6 @@ class PartialFile {
   ~PartialFile();
 
   const std::filesystem::path& path() const { return partial_; }
-  const std::filesystem::path& target() const { return target_; }
 
   /// Throws FileError unless the folder has room for `bytes`.
   void require_space(unsigned long long bytes) const;

@@ -10,9 +10,6 @@
 namespace brdftab {
 namespace {
 
-constexpr std::size_t polar_factors_reals = 8;    // PolarFactors of model.h
-constexpr std::size_t azimuth_factors_reals = 5;  // AzimuthFactors of model.h, its padding included
-
 // Nodes of working memory that no table is too small for.
 constexpr std::size_t smallest_room = 1 << 20;
 
@@ -45,7 +42,7 @@ Plan::Plan(const Engine& engine, const Material& material, const Band& band, con
     normalization_s_ = normalizations(engine, band, material.switches(), grid.theta_s.nodes());
 
   const auto polar_table = [&](const Axis& axis) {
-    const cl::Buffer theta = engine_.upload(axis.nodes());
+    const cl::Buffer theta = engine_.upload_polar_angles(axis.nodes());
     const cl::Buffer factors = engine_.buffer(axis.size() * polar_factors_reals * bytes_of(engine_.working()));
     cl::Kernel kernel = engine_.kernel("polar_table");
     set_arguments(kernel, theta, factors);

@@ -13,6 +13,10 @@
 
 namespace brdftab {
 
+/// Sizes of structs that stay on the device, in reals: PolarFactors and, its padding included, AzimuthFactors.
+inline constexpr std::size_t polar_factors_reals = 8;
+inline constexpr std::size_t azimuth_factors_reals = 5;
+
 /// For one band of a material. Borrows the engine, the material and the grid.
 class Plan {
  public:

@@ -15,9 +15,13 @@ SlabRing::SlabRing(const Engine& engine, std::size_t slab_bytes, std::size_t buf
 SlabRing::~SlabRing() {
   writer_.request_stop();
   writer_.join();
-  for (auto& buffer : buffers_)
-    if (buffer.host) engine_.queue().enqueueUnmapMemObject(buffer.device, buffer.host);
-  engine_.queue().finish();
+  try {
+    for (auto& buffer : buffers_)
+      if (buffer.host) engine_.queue().enqueueUnmapMemObject(buffer.device, buffer.host);
+    engine_.queue().finish();
+  } catch (const cl::Error&) {
+    // The fault that ends the work is already on its way.
+  }
 }
 
 void SlabRing::rethrow_failure(std::unique_lock<std::mutex>&) {

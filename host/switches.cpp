@@ -14,7 +14,7 @@ void set(ModelSwitches& switches, int choice) {
   switches.*member = static_cast<Value>(choice);
 }
 
-// A boolean's first choice, true, has the value 1.
+// A boolean's first choice is true.
 template <auto member>
 int get_flag(const ModelSwitches& switches) {
   return switches.*member ? 0 : 1;

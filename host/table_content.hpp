@@ -11,7 +11,6 @@
 
 namespace brdftab {
 
-inline constexpr const char* version = BRDFTAB_VERSION;
 inline constexpr const char* program_source = "brdftab " BRDFTAB_VERSION;
 inline constexpr const char* paper_reference =
     "I. G. E. Renhorn and G. D. Boreman, Analytical fitting model for rough-surface BRDF, Optics Express 16, 12892 (2008)";

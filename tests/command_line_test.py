@@ -9,6 +9,9 @@ import subprocess
 import tempfile
 import unittest
 
+import h5py
+import numpy
+
 from program import (BAD_INPUT, DEVICE, DONE, FILE, MATERIALS, PROGRAM, SMALL_GRID, VINYL, InFolder, run)
 
 SAMPLES = "theta_i_deg,theta_s_deg,phi_deg\n30,30,0\n60,-20,0\n0,0,77\n"
@@ -108,7 +111,7 @@ class Integrate(unittest.TestCase):
             self.assertAlmostEqual(float(row["dhr"]) / parts, 1, delta=1e-14)
         text = run(*arguments).stdout
         self.assertRegex(text, r"\n# bhr = 0\.1909332\d+\n")
-        self.assertRegex(text, r"\n# reciprocity: median 0\.\d+, 90 % 0\.\d+, maximum \d\.\d+ at theta_i = \d+, theta_s = \d+, phi = \d+ degrees; .*\n$")
+        self.assertRegex(text, r"\n# reciprocity of 1768 pairs: median 0\.\d+, 90 % 0\.\d+, maximum \d\.\d+ at theta_i = \d+, theta_s = \d+, phi = \d+ degrees; .*\n$")
 
     def test_unpolarized_is_the_mean(self):
         value = {}
@@ -137,6 +140,8 @@ class Generate(InFolder):
         self.assertEqual(sorted(f.stem for f in self.folder.iterdir()), [m.stem for m in materials])
         self.assert_refused(self.generate(VINYL, VINYL, "-o", f"{self.folder}/", "--force"), BAD_INPUT, "two materials")
         self.assert_refused(self.generate(VINYL, materials[0], "-o", self.folder / "one.h5"), FILE, "-o FOLDER/")
+        existing = self.folder / "brown-vinyl.h5"
+        self.assert_refused(self.generate(VINYL, materials[0], "-o", existing), BAD_INPUT, "is a file; several materials need -o FOLDER/")
 
     def test_info_shows_what_a_table_holds(self):
         table = self.folder / "t.h5"
@@ -154,6 +159,16 @@ class Generate(InFolder):
         text.write_text("no table")
         self.assert_refused(run("info", text), BAD_INPUT, "is not an HDF5 file")
         self.assert_refused(run("info", self.folder / "none.h5"), FILE, "does not exist")
+        foreign = self.folder / "foreign.h5"
+        with h5py.File(foreign, "w") as file:
+            file.attrs["material"] = numpy.array([b"x" * 50] * 1000)
+            file.attrs["azimuth_convention"] = numpy.bytes_("none")
+        self.assert_refused(run("info", foreign), BAD_INPUT, "not a table of brdftab")
+        with h5py.File(foreign, "w") as file:
+            file.attrs["material"] = numpy.bytes_("text")
+            file.attrs["azimuth_convention"] = numpy.bytes_("none")
+            file.attrs["matrix"] = numpy.zeros((2, 3000))
+        self.assertEqual(run("info", foreign).returncode, DONE)
 
     def test_bad_materials(self):
         good = VINYL.read_text()
@@ -189,6 +204,23 @@ class Generate(InFolder):
             result = run("generate", VINYL, "-o", self.folder / "t.h5", option, text)
             self.assert_refused(result, BAD_INPUT, option, *parts)
             self.assert_nothing_written()
+
+    def test_more_samples_than_any_disk_holds(self):
+        axes = [text for option in ("--theta-i", "--phi-i", "--theta-s", "--phi-s") for text in (option, "0:65.535:0.001")]
+        self.assert_refused(run("generate", VINYL, "-o", self.folder / "t.h5", *axes), BAD_INPUT, "1.84e+19 samples")
+        self.assert_nothing_written()
+
+    def test_only_regular_files_are_replaced(self):
+        fifo = self.folder / "t.h5"
+        os.mkfifo(fifo)
+        self.assert_refused(self.generate(VINYL, "-o", fifo, "--force"), FILE, "is not a regular file")
+        fifo.unlink()
+        table, link = self.folder / "table.h5", self.folder / "link.h5"
+        table.write_text("old")
+        link.symlink_to(table)
+        self.assertEqual(self.generate(VINYL, "-o", link, "--force").returncode, DONE)
+        self.assertTrue(link.is_symlink())
+        self.assertGreater(table.stat().st_size, 1000)
 
     def test_negative_angles_may_be_given(self):
         result = run("generate", VINYL, "-o", self.folder / "t.h5", "--theta-i", "30", "--theta-s", "0:80:10", "--phi-s", "-180:180:30")

@@ -50,14 +50,16 @@ Material material_of(const Parameters& p, const ModelSwitches& switches) {
 TEST(Device, SharedStructsHaveOneLayout) {
   for (const Precision working : {Precision::float32, Precision::float64}) {
     const Engine& e = engine(working, Precision::float32);
-    const cl::Buffer bytes = e.buffer(2 * sizeof(cl_int));
+    const cl::Buffer bytes = e.buffer(4 * sizeof(cl_int));
     cl::Kernel kernel = e.kernel("layout");
     set_arguments(kernel, bytes);
     e.run_items(kernel, {1, 1, 1});
-    const auto sizes = e.download_ints(bytes, 2);
+    const auto sizes = e.download_ints(bytes, 4);
     EXPECT_EQ(sizes[0], working == Precision::float64 ? static_cast<int>(sizeof(kernel_f64::MaterialConstants))
                                                       : static_cast<int>(sizeof(kernel_f32::MaterialConstants)));
     EXPECT_EQ(sizes[1], static_cast<int>(sizeof(kernel_f64::ModelVariant)));
+    EXPECT_EQ(sizes[2], static_cast<int>(polar_factors_reals * bytes_of(working)));
+    EXPECT_EQ(sizes[3], static_cast<int>(azimuth_factors_reals * bytes_of(working)));
   }
 }
 
@@ -105,6 +107,14 @@ TEST(Device, NegativeThetaSIsTheBackwardSide) {
   EXPECT_EQ(f[0].s, f[1].s);
   EXPECT_EQ(f[1].p, f[2].p);
   EXPECT_NE(f[0].s, f[3].s);
+}
+
+TEST(Device, RefusesAnAngleThatFloatRoundsTo90) {
+  const Parameters p{1.24, 0, 1.9, .45, .073, .88, .061, 1.9, .21, .12, .9, 0, 2, 0};
+  const std::vector<DirectionPair> pairs{{10, 89.9999999, 0, 0}};
+  EXPECT_THROW(evaluate(engine(Precision::float32, Precision::float32), {std::nullopt, p}, {}, pairs), BadInput);
+  REQUIRE_FP64();
+  EXPECT_GT(evaluate(engine(Precision::float64, Precision::float32), {std::nullopt, p}, {}, pairs)[0].s, 0);
 }
 
 struct TableCase {

@@ -59,6 +59,8 @@ TEST(Material, EveryFaultGivesOneLineWithItsPlace) {
     std::string message;  // a part of it
   };
   const std::string good = head + parameters;
+  std::string deep = "a";
+  for (int k = 0; k < 100000; ++k) deep += ".a";
   const Case cases[] = {
       {with(good, "k_eff", "keff"), "m.toml:4:1: parameters.keff = 0: unknown key; did you mean k_eff?"},
       {good + "colour = 1\n", "unknown key"},
@@ -92,6 +94,9 @@ TEST(Material, EveryFaultGivesOneLineWithItsPlace) {
       {good + "[grid]\nphi_s = []\n", "no node"},
       {"name = \"m\"\nparameters = 3\n", "must be a table"},
       {"this is not TOML\n", "m.toml:1"},
+      {"name = \"a\\nb\"\n" + parameters, "one line without control characters"},
+      {good + "\"σσσ\" = 12345\n", "parameters.σσσ = 12345: unknown key"},
+      {head + deep + " = 1\n", "at most 64 dots"},
   };
   for (const auto& [text, message] : cases) {
     const std::string told = refusal(text);

@@ -36,7 +36,7 @@ void add_engine_options(CLI::App& parser, std::string& engine, std::string& prec
 /// What --precision asks for; without it, the widest that the device has.
 Precision working_precision(const std::string& option, const Device& device);
 
-/// A warning, on standard error, unless quiet.
+/// A line of talk on standard error, unless quiet.
 void say(const CommonOptions& common, const std::string& line);
 
 }  // namespace brdftab

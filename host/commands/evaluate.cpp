@@ -1,6 +1,7 @@
 #include "host/evaluate.hpp"
 
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 
@@ -27,6 +28,8 @@ std::vector<DirectionPair> read_pairs(const std::string& file, std::string& sour
     return read_directions(std::cin, source);
   }
   source = file;
+  std::error_code error;
+  if (std::filesystem::is_directory(file, error)) throw FileError("{}: is a folder", file);
   std::ifstream in(file);
   if (!in) throw FileError("{}: cannot be opened: {}", file, std::generic_category().message(errno));
   auto pairs = read_directions(in, source);
@@ -62,8 +65,8 @@ std::string table_text(const Material& material, std::span<const DirectionPair> 
 }
 
 ExitStatus run(const Options& options) {
-  const Material material = Material::read(options.material);
   if (options.material == "-" && options.pairs == "-") throw BadInput("MATERIAL and PAIRS cannot both be standard input");
+  const Material material = Material::read(options.material);
   if (options.engine == "reference" && options.precision == "float32")
     throw BadInput("--engine reference computes in float64 only");
   std::optional<PartialFile> file;

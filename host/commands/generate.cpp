@@ -85,7 +85,10 @@ Grid grid_for(const Material& material, const Options& options) {
 std::string history(const CommonOptions& common) {
   // A fixed epoch, as reproducible builds set it, makes the same table byte for byte.
   const char* epoch = std::getenv("SOURCE_DATE_EPOCH");
-  const std::time_t now = epoch ? static_cast<std::time_t>(std::strtoll(epoch, nullptr, 10)) : std::time(nullptr);
+  const auto seconds = parse_number(epoch ? epoch : "0");
+  if (!seconds || !(*seconds >= 0 && *seconds <= 253402300799.0))
+    throw BadInput("SOURCE_DATE_EPOCH={}: must be seconds since 1970, before the year 10000", excerpt(epoch));
+  const std::time_t now = epoch ? static_cast<std::time_t>(*seconds) : std::time(nullptr);
   return fmt::format("{:%Y-%m-%dT%H:%M:%SZ} {}", fmt::gmtime(now), common.command_line);
 }
 
@@ -96,24 +99,29 @@ fs::path file_in_folder(const fs::path& folder, const std::string& material, con
 }
 
 ExitStatus run(const Options& options, const CommonOptions& common) {
-  const bool folder = options.materials.size() > 1 || options.output.ends_with('/') || fs::is_directory(options.output);
+  std::error_code error;
+  const bool is_folder = fs::is_directory(options.output, error);
+  const bool folder = options.materials.size() > 1 || options.output.ends_with('/') || is_folder;
   const FormatRow& format = find_format(options, folder);
-  if (folder && !fs::is_directory(options.output))
+  if (folder && !is_folder) {
+    if (fs::exists(fs::path(options.output.substr(0, options.output.find_last_not_of('/') + 1)), error))
+      throw BadInput("-o {}: is a file; several materials need -o FOLDER/", excerpt(options.output));
     throw FileError("{}: the folder does not exist{}", options.output,
                     options.output.ends_with('/') ? "" : "; several materials need -o FOLDER/");
+  }
   struct Task {
     Material material;
     Grid grid;
     fs::path target;
   };
-  // Everything that can be refused is refused before the first table is begun.
+  // What materials, grids and names can be refused for is refused before the first table is begun.
   std::vector<Task> tasks;
   for (const auto& file : options.materials) {
     Material material = Material::read(file);
     const fs::path target = folder ? file_in_folder(options.output, file, format) : fs::path(options.output);
     for (const Task& other : tasks)
       if (other.target == target) throw BadInput("{}: two materials would both be written to {}", file, target.string());
-    if (!options.force && fs::exists(fs::symlink_status(target)))
+    if (!options.force && fs::exists(fs::symlink_status(target, error)))
       throw FileError("{}: exists; --force overwrites it", target.string());
     Grid grid = grid_for(material, options);
     tasks.push_back({std::move(material), std::move(grid), target});
@@ -128,11 +136,13 @@ ExitStatus run(const Options& options, const CommonOptions& common) {
   generate_options.history = history(common);
   for (const Task& task : tasks) {
     const auto summary = generate(engine, task.material, task.grid, task.target, format.create, generate_options);
-    say(common,
-        fmt::format("{}: {} samples, {:.3g} MB in {:.2f} s; largest relative error at {} nodes checked against the scalar "
-                    "reference {:.1e}",
-                    task.target.string(), summary.samples, static_cast<double>(summary.bytes) / 1e6, summary.seconds,
-                    summary.findings.accuracy.nodes, summary.findings.accuracy.max_relative_error));
+    const Accuracy& accuracy = summary.findings.accuracy;
+    say(common, fmt::format("{}: {} samples, {:.3g} MB in {:.2f} s; {}", task.target.string(), summary.samples,
+                            static_cast<double>(summary.bytes) / 1e6, summary.seconds,
+                            accuracy.nodes == 0
+                                ? "no node large enough to be checked against the scalar reference"
+                                : fmt::format("largest relative error at {} nodes checked against the scalar reference {:.1e}",
+                                              accuracy.nodes, accuracy.max_relative_error)));
     for (const auto& warning : summary.findings.energy_warnings) say(common, "warning: " + warning);
   }
   return ExitStatus::done;

@@ -80,7 +80,7 @@ std::function<ExitStatus()> info_command(CLI::App& parser, const CommonOptions&)
   return [options] {
     const TableInfo info = read_hdf5_info(options->table);
     if (options->json)
-      fmt::print("{}\n", as_json(info).dump(2));
+      fmt::print("{}\n", as_json(info).dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
     else
       print_text(options->table, info);
     return ExitStatus::done;

@@ -21,6 +21,19 @@ Polarization polarization_of(const std::string& name) {
   return name == "s" ? Polarization::s : name == "p" ? Polarization::p : Polarization::unpolarized;
 }
 
+// BHR needs every angle; where N leaves the range of numbers at one of them, the line says so.
+std::string bhr_line(const std::optional<Engine>& engine, const Band& band, const ModelSwitches& switches,
+                     Polarization polarization, int digits) {
+  const std::string wavelength = band.wavelength_nm ? fmt::format(" at {} nm", shortest(*band.wavelength_nm)) : "";
+  try {
+    const Bhr albedo = engine ? bhr(*engine, band, switches) : reference_bhr(band, switches);
+    return fmt::format("# bhr = {:.{}g}{}\n# bhr_relative_error = {:.1e}\n", albedo.of(polarization), digits, wavelength,
+                       albedo.error);
+  } catch (const BadInput& error) {
+    return fmt::format("# bhr{} is not computed: {}\n", wavelength, error.what());
+  }
+}
+
 ExitStatus run(const Options& options, const CommonOptions& common) {
   const Material material = Material::read(options.material);
   Axis theta_i = material.grid().theta_i;
@@ -56,15 +69,16 @@ ExitStatus run(const Options& options, const CommonOptions& common) {
       for (std::size_t lobe = 0; lobe < 3; ++lobe) text += fmt::format(",{:.{}g}", at.dhr.lobe(lobe, k, polarization), digits);
       text += '\n';
     }
-    const Bhr albedo = engine ? bhr(*engine, band, material.switches()) : reference_bhr(band, material.switches());
-    text += fmt::format("# bhr = {:.{}g}{}\n", albedo.of(polarization), digits,
-                        band.wavelength_nm ? fmt::format(" at {} nm", shortest(*band.wavelength_nm)) : "");
+    text += bhr_line(engine, band, material.switches(), polarization, digits);
     const Reciprocity defect =
         engine ? reciprocity(*engine, band, material.switches()) : reference_reciprocity(band, material.switches());
     text += fmt::format(
-        "# reciprocity: median {:.4g}, 90 % {:.4g}, maximum {:.4g} at theta_i = {}, theta_s = {}, phi = {} degrees; {}\n",
-        defect.median, defect.percentile_90, defect.maximum, defect.theta_i, defect.theta_s, defect.phi, reciprocity_grid);
-    for (const auto& warning : energy_warnings(material, band, theta_i.nodes(), at.dhr, {polarization})) say(common, warning);
+        "# reciprocity of {} pairs: median {:.4g}, 90 % {:.4g}, maximum {:.4g} at theta_i = {}, theta_s = {}, phi = {} degrees; "
+        "{}\n",
+        defect.pairs, defect.median, defect.percentile_90, defect.maximum, defect.theta_i, defect.theta_s, defect.phi,
+        reciprocity_grid);
+    for (const auto& warning : energy_warnings(material, band, theta_i.nodes(), at.dhr, {polarization}))
+      say(common, "warning: " + warning);
   }
   std::fwrite(text.data(), 1, text.size(), stdout);
   return ExitStatus::done;
