@@ -64,7 +64,7 @@ FN_SHARED real ring_integral(Ring ring, MaterialConstants m, ModelVariant varian
   const real negligible = NEGLIGIBLE_DHR / sqrt(c * (c + ring.transverse));
   real integral = REAL(0.0);
   for (int far = 0; far < 2; ++far) {
-    March march = march_begin(far ? REAL(1.0) : fmin(REAL(0.5), REAL(3.0) / reach));
+    March march = march_begin(far ? REAL(0.5) : fmin(REAL(0.25), REAL(2.0) / reach));
     march.integral = integral;
     while (march_unfinished(march)) {
       // In loops apart from the sums, so that compilers vectorise them.
