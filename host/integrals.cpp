@@ -6,9 +6,7 @@
 #include <complex>
 #include <numbers>
 
-#include "host/error.hpp"
 #include "host/interrupt.hpp"
-#include "host/numbers.hpp"
 #include "host/reference/model.hpp"
 
 namespace brdftab {
@@ -18,35 +16,21 @@ double of(double s, double p, Polarization polarization) {
   return polarization == Polarization::s ? s : polarization == Polarization::p ? p : 0.5 * (s + p);
 }
 
-std::array<std::vector<double>, 3> by_lobe(const std::vector<double>& values, std::size_t angles) {
-  std::array<std::vector<double>, 3> result;
-  for (std::size_t lobe = 0; lobe < 3; ++lobe) {
-    const auto first = values.begin() + static_cast<std::ptrdiff_t>(lobe * angles);
-    result[lobe].assign(first, first + static_cast<std::ptrdiff_t>(angles));
-  }
-  return result;
-}
-
 Dhr device_dhr(const Engine& engine, const Band& band, const ModelSwitches& switches, std::span<const double> theta,
                const Normalizations& n) {
-  const std::size_t count = 3 * theta.size();
-  const std::size_t bytes = count * bytes_of(engine.working());
+  const std::size_t bytes = 3 * theta.size() * bytes_of(engine.working());
   const std::array buffers{engine.buffer(bytes), engine.buffer(bytes), engine.buffer(bytes)};
   const cl::Buffer angles = engine.upload_polar_angles(theta);
   cl::Kernel kernel = engine.kernel("dhrs");
   set_arguments(kernel, angles, static_cast<cl_int>(theta.size()), n.on_device, buffers[0], buffers[1], buffers[2]);
   KernelMaterial(band.parameters, switches, engine.working()).set(kernel, 6);
   run_by_angle(engine, kernel, theta.size());
-  Dhr dhr{by_lobe(engine.download(buffers[0], count), theta.size()), by_lobe(engine.download(buffers[1], count), theta.size()),
-          by_lobe(engine.download(buffers[2], count), theta.size())};
+  Dhr dhr{download_by_lobe(engine, buffers[0], theta.size()), download_by_lobe(engine, buffers[1], theta.size()),
+          download_by_lobe(engine, buffers[2], theta.size())};
   for (std::size_t lobe = 0; lobe < 3; ++lobe)
     for (std::size_t k = 0; k < theta.size(); ++k)
       if (!std::isfinite(dhr.lobe(lobe, k, Polarization::unpolarized)) || !std::isfinite(dhr.error[lobe][k]))
-        throw BadInput(
-            "DHR of the {} lobe is not finite at theta_i = {} degrees: rho_{} = {}, w = {} and n = {} leave it no width",
-            lobe_names[lobe], shortest(theta[k]), lobe_names[lobe],
-            shortest(band.parameters.*parameter_table[3 + 2 * lobe].member), shortest(band.parameters.w),
-            shortest(band.parameters.n));
+        refuse_not_finite("DHR", lobe, theta[k], band.parameters);
   return dhr;
 }
 

@@ -30,6 +30,23 @@ void run_by_angle(const Engine& engine, const cl::Kernel& kernel, std::size_t an
   }
 }
 
+std::array<std::vector<double>, 3> download_by_lobe(const Engine& engine, const cl::Buffer& buffer, std::size_t angles) {
+  const auto values = engine.download(buffer, 3 * angles);
+  std::array<std::vector<double>, 3> result;
+  for (std::size_t lobe = 0; lobe < 3; ++lobe) {
+    const auto first = values.begin() + static_cast<std::ptrdiff_t>(lobe * angles);
+    result[lobe].assign(first, first + static_cast<std::ptrdiff_t>(angles));
+  }
+  return result;
+}
+
+void refuse_not_finite(std::string_view quantity, std::size_t lobe, double theta, const Parameters& parameters) {
+  const auto& rho = parameter_table[3 + 2 * lobe];
+  throw BadInput("{} of the {} lobe is not finite at theta = {} degrees: {} = {}, w = {} and n = {} leave it no width", quantity,
+                 lobe_names[lobe], shortest(theta), rho.name, shortest(parameters.*rho.member), shortest(parameters.w),
+                 shortest(parameters.n));
+}
+
 Normalizations normalizations(const Engine& engine, const Band& band, const ModelSwitches& switches,
                               std::span<const double> theta) {
   const std::size_t bytes = 3 * theta.size() * bytes_of(engine.working());
@@ -41,20 +58,12 @@ Normalizations normalizations(const Engine& engine, const Band& band, const Mode
   set_arguments(kernel, angles, static_cast<cl_int>(theta.size()), result.on_device, errors);
   KernelMaterial(band.parameters, switches, engine.working()).set(kernel, 4);
   run_by_angle(engine, kernel, theta.size());
-  const auto values = engine.download(result.on_device, 3 * theta.size());
-  const auto estimates = engine.download(errors, 3 * theta.size());
-  for (std::size_t lobe = 0; lobe < 3; ++lobe) {
-    const auto first = static_cast<std::ptrdiff_t>(lobe * theta.size());
-    const auto last = first + static_cast<std::ptrdiff_t>(theta.size());
-    result.value[lobe].assign(values.begin() + first, values.begin() + last);
-    result.error[lobe].assign(estimates.begin() + first, estimates.begin() + last);
+  result.value = download_by_lobe(engine, result.on_device, theta.size());
+  result.error = download_by_lobe(engine, errors, theta.size());
+  for (std::size_t lobe = 0; lobe < 3; ++lobe)
     for (std::size_t k = 0; k < theta.size(); ++k)
       if (!std::isfinite(result.value[lobe][k]) || !std::isfinite(result.error[lobe][k]))
-        throw BadInput("N of the {} lobe is not finite at theta = {} degrees: rho_{} = {}, w = {} and n = {} leave it no width",
-                       lobe_names[lobe], shortest(theta[k]), lobe_names[lobe],
-                       shortest(band.parameters.*parameter_table[3 + 2 * lobe].member), shortest(band.parameters.w),
-                       shortest(band.parameters.n));
-  }
+        refuse_not_finite("N", lobe, theta[k], band.parameters);
   return result;
 }
 

@@ -184,12 +184,7 @@ FN Dhr dhr(PolarFactors incidence, int lobe, real n_i, MaterialConstants m, Mode
     const real brewster = bend_on_side(bends.brewster, outer, a, end);
     const real critical = bend_on_side(bends.critical, outer, a, end);
     const real stops[3] = {fmin(brewster, critical), fmax(brewster, critical), end};
-    PeakSegment segment;
-    segment.outer = outer;
-    segment.a = a;
-    segment.mu2_i = mu2_i;
-    segment.h = width.h;
-    segment.begin = REAL(0.0);
+    PeakSegment segment = peak_side(outer, a, mu2_i, width.h);
     for (int stop = 0; stop < 3; ++stop) {
       segment.length = peak_reach(stops[stop], width.h) - segment.begin;
       if (!(segment.length > REAL(0.0)))

@@ -69,6 +69,19 @@ FN real peak_reach(real v, real h)
   return log1p(ratio + ratio * ratio / (REAL(1.0) + sqrt(fma(ratio, ratio, REAL(1.0)))));
 }
 
+// One side of the peak, whole.
+FN PeakSegment peak_side(int outer, real a, real mu2_i, real h)
+{
+  PeakSegment segment;
+  segment.outer = outer;
+  segment.a = a;
+  segment.mu2_i = mu2_i;
+  segment.h = h;
+  segment.begin = REAL(0.0);
+  segment.length = peak_reach(side_length(outer, a, mu2_i), h);
+  return segment;
+}
+
 FN PeakPoint peak_point(real z, PeakSegment segment)
 {
   const real x = fma(segment.length, z * z * (REAL(3.0) - REAL(2.0) * z), segment.begin);
@@ -137,13 +150,7 @@ FN_SHARED Normalization normalization(SineCosine incidence, int lobe, MaterialCo
   real integral = variant.autocovariance == AUTOCOVARIANCE_LORENTZIAN ? width.ln_missing : REAL(0.0);
   real error = REAL(0.0);
   for (int outer = 0; outer < 2; ++outer) {
-    PeakSegment segment;
-    segment.outer = outer;
-    segment.a = a;
-    segment.mu2_i = mu2_i;
-    segment.h = width.h;
-    segment.begin = REAL(0.0);
-    segment.length = peak_reach(side_length(outer, a, mu2_i), width.h);
+    const PeakSegment segment = peak_side(outer, a, mu2_i, width.h);
     if (!(segment.length > REAL(0.0)))
       continue;
     March march = march_begin(first_step(segment));

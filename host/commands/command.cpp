@@ -1,6 +1,9 @@
 #include "host/commands/command.hpp"
 
+#include <algorithm>
 #include <cstdio>
+
+#include "host/numbers.hpp"
 
 namespace brdftab {
 
@@ -19,6 +22,20 @@ void add_engine_options(CLI::App& parser, std::string& engine, std::string& prec
 Precision working_precision(const std::string& option, const Device& device) {
   if (option.empty()) return Engine::widest(device);
   return option == "float32" ? Precision::float32 : Precision::float64;
+}
+
+std::string axis_option(const AxisRow& row) {
+  std::string name = fmt::format("--{}", row.name);
+  std::replace(name.begin(), name.end(), '_', '-');
+  return name;
+}
+
+Axis parse_axis_option(AxisKind kind, const std::string& text) {
+  try {
+    return Axis::parse(kind, text);
+  } catch (const BadInput& error) {
+    throw BadInput("{} {}: {}", axis_option(axis_row(kind)), excerpt(text), error.what());
+  }
 }
 
 void say(const CommonOptions& common, const std::string& line) {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "host/axis.hpp"
 #include "host/engine.hpp"
 #include "host/error.hpp"
 
@@ -35,6 +36,11 @@ void add_engine_options(CLI::App& parser, std::string& engine, std::string& prec
 
 /// What --precision asks for; without it, the widest that the device has.
 Precision working_precision(const std::string& option, const Device& device);
+
+/// `--theta-i` for theta_i, and the like.
+std::string axis_option(const AxisRow& row);
+/// The axis that such an option gives. Throws BadInput that names the option.
+Axis parse_axis_option(AxisKind kind, const std::string& text);
 
 /// A line of talk on standard error, unless quiet.
 void say(const CommonOptions& common, const std::string& line);

@@ -63,22 +63,10 @@ std::vector<Polarization> polarizations(const std::string& name) {
   return {Polarization::unpolarized};
 }
 
-std::string option_name(const AxisRow& row) {
-  std::string name = fmt::format("--{}", row.name);
-  std::replace(name.begin(), name.end(), '_', '-');
-  return name;
-}
-
 Grid grid_for(const Material& material, const Options& options) {
   Grid grid = material.grid();
   for (const auto& row : axis_table)
-    if (const auto& text = options.axes[static_cast<std::size_t>(row.kind)]) {
-      try {
-        grid[row.kind] = Axis::parse(row.kind, *text);
-      } catch (const BadInput& error) {
-        throw BadInput("{} {}: {}", option_name(row), excerpt(*text), error.what());
-      }
-    }
+    if (const auto& text = options.axes[static_cast<std::size_t>(row.kind)]) grid[row.kind] = parse_axis_option(row.kind, *text);
   return grid;
 }
 
@@ -156,7 +144,7 @@ std::function<ExitStatus()> generate_command(CLI::App& parser, const CommonOptio
   parser.add_option("-o,--output", options->output, "Table file, or a folder")->required();
   parser.add_option("--format", options->format, fmt::format("Format, where the extension does not tell: {}", known_formats()));
   for (const auto& row : axis_table)
-    parser.add_option(option_name(row), options->axes[static_cast<std::size_t>(row.kind)],
+    parser.add_option(axis_option(row), options->axes[static_cast<std::size_t>(row.kind)],
                       fmt::format("{}, degrees: start:stop:step, both ends included, or angles separated by commas; default: "
                                   "the material's, or {}",
                                   row.long_name, row.default_text));

@@ -36,14 +36,7 @@ std::string bhr_line(const std::optional<Engine>& engine, const Band& band, cons
 
 ExitStatus run(const Options& options, const CommonOptions& common) {
   const Material material = Material::read(options.material);
-  Axis theta_i = material.grid().theta_i;
-  if (options.theta_i) {
-    try {
-      theta_i = Axis::parse(AxisKind::theta_i, *options.theta_i);
-    } catch (const BadInput& error) {
-      throw BadInput("--theta-i {}: {}", excerpt(*options.theta_i), error.what());
-    }
-  }
+  const Axis theta_i = options.theta_i ? parse_axis_option(AxisKind::theta_i, *options.theta_i) : material.grid().theta_i;
   const Polarization polarization = polarization_of(options.polarization);
   std::optional<Engine> engine;
   int digits = 17;
