@@ -7,6 +7,7 @@
 
 #include "host/error.hpp"
 #include "host/evaluate.hpp"
+#include "host/kernels_on_host.hpp"
 #include "host/numbers.hpp"
 
 namespace brdftab {
@@ -75,14 +76,15 @@ std::vector<std::string> energy_warnings(const Material& material, const Band& b
   return warnings;
 }
 
-Reciprocity reciprocity(const Engine& engine, const Band& band, const ModelSwitches& switches) {
+Reciprocity reciprocity(const Band& band, const ModelSwitches& switches) {
   const auto pairs = there_and_back();
-  try {
-    return defect(pairs, evaluate(engine, band, switches, pairs));
-  } catch (const BadInput&) {
+  std::vector<PolarizedBrdf> f;
+  for (const auto& sample : kernels_on_host::Double::brdf(band.parameters, switches, pairs)) {
     // A Gaussian lobe whose N overflows at an angle that a table need not have: the reference works in logarithms.
-    return reference_reciprocity(band, switches);
+    if (!std::isfinite(sample.s) || !std::isfinite(sample.p)) return reference_reciprocity(band, switches);
+    f.push_back({sample.s, sample.p});
   }
+  return defect(pairs, f);
 }
 
 Reciprocity reference_reciprocity(const Band& band, const ModelSwitches& switches) {

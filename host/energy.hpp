@@ -25,7 +25,7 @@ struct Reciprocity {
 inline constexpr const char* reciprocity_grid =
     "|ln f(i,s)/f(s,i)|, unpolarised, over theta_i < theta_s in 5:85:5 degrees and phi in 0:180:15 degrees";
 
-Reciprocity reciprocity(const Engine& engine, const Band& band, const ModelSwitches& switches);
+Reciprocity reciprocity(const Band& band, const ModelSwitches& switches);
 Reciprocity reference_reciprocity(const Band& band, const ModelSwitches& switches);
 
 }  // namespace brdftab

@@ -18,12 +18,6 @@ std::vector<std::byte> bytes(const Struct& value) {
   return result;
 }
 
-// Work-items along x in a work-group: a whole row where the device allows it, which PoCL vectorises best.
-std::size_t row_group(const Device& device, std::size_t x) {
-  const std::size_t longest = std::min<std::size_t>(device.largest_work_group, device.is_gpu ? 256 : 1024);
-  return std::min(x, longest);
-}
-
 }  // namespace
 
 KernelMaterial::KernelMaterial(const Parameters& parameters, const ModelSwitches& switches, Precision working)
@@ -36,45 +30,60 @@ void KernelMaterial::set(cl::Kernel& kernel, cl_uint first, bool with_variant) c
   if (with_variant) kernel.setArg(first + 1, variant_.size(), variant_.data());
 }
 
-Engine::Engine(Device device, Precision working, Precision table) : device_(std::move(device)), working_(working), table_(table) {
+Engine::Engine(Device device, Precision working, Precision table, std::size_t directions_width)
+    : device_(std::move(device)), working_(working), table_(table), directions_width_(directions_width) {
   if ((working == Precision::float64 || table == Precision::float64) && !device_.has_fp64)
     throw Error(ExitStatus::device, "{} has no fp64: it takes --precision float32 only", device_.name);
   build_options_ = fmt::format("-cl-std=CL1.2 -DBRDFTAB_WORKING_DOUBLE={} -DBRDFTAB_TABLE_DOUBLE={}",
                                working == Precision::float64 ? 1 : 0, table == Precision::float64 ? 1 : 0);
   if (device_.handle.getInfo<CL_DEVICE_SINGLE_FP_CONFIG>() & CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT)
     build_options_ += " -cl-fp32-correctly-rounded-divide-sqrt";
+  // A cache line; a GPU works on scalars.
+  if (directions_width_ == 0) directions_width_ = device_.is_gpu ? 1 : 64 / bytes_of(working);
   context_ = cl::Context(device_.handle);
   queue_ = cl::CommandQueue(context_, device_.handle);
-  program_ = cl::Program(context_, std::string(kernel_source));
+  program_ = build(build_options_);
+}
+
+cl::Program Engine::build(const std::string& options) const {
+  cl::Program program(context_, std::string(kernel_source));
   try {
-    program_.build({device_.handle}, build_options_.c_str());
+    program.build({device_.handle}, options.c_str());
   } catch (const cl::BuildError& error) {
     std::string log;
     for (const auto& [built_for, text] : error.getBuildLog()) log += text;
-    throw Error(ExitStatus::device, "the kernels do not build on {} with {}:\n{}", device_.description(), build_options_, log);
+    throw Error(ExitStatus::device, "the kernels do not build on {} with {}:\n{}", device_.description(), options, log);
   }
+  return program;
+}
+
+cl::Kernel Engine::directions_kernel(const char* name) const {
+  if (!directions_())
+    directions_ = build(fmt::format("{} -DBRDFTAB_DIRECTIONS=1 -DBRDFTAB_WIDTH={}", build_options_, directions_width_));
+  return cl::Kernel(directions_, name);
 }
 
 cl::Buffer Engine::buffer(std::size_t bytes) const {
   return cl::Buffer(context_, CL_MEM_READ_WRITE, std::max<std::size_t>(bytes, 1));
 }
 
-cl::Buffer Engine::upload(std::span<const double> values) const {
-  cl::Buffer result = buffer(values.size() * bytes_of(working_));
-  if (values.empty()) return result;
-  if (working_ == Precision::float64) {
-    queue_.enqueueWriteBuffer(result, CL_TRUE, 0, values.size_bytes(), values.data());
-  } else {
-    const std::vector<float> narrow(values.begin(), values.end());
-    queue_.enqueueWriteBuffer(result, CL_TRUE, 0, narrow.size() * sizeof(float), narrow.data());
-  }
+cl::Buffer Engine::upload(std::span<const std::byte> bytes) const {
+  cl::Buffer result = buffer(bytes.size());
+  if (!bytes.empty()) queue_.enqueueWriteBuffer(result, CL_TRUE, 0, bytes.size(), bytes.data());
   return result;
 }
 
-cl::Buffer Engine::upload(std::span<const int> values) const {
-  cl::Buffer result = buffer(values.size_bytes());
-  if (!values.empty()) queue_.enqueueWriteBuffer(result, CL_TRUE, 0, values.size_bytes(), values.data());
-  return result;
+cl::Buffer Engine::upload(std::span<const double> values, Precision precision) const {
+  if (precision == Precision::float64) return upload(std::as_bytes(values));
+  const std::vector<float> narrow(values.begin(), values.end());
+  return upload(std::as_bytes(std::span(narrow)));
+}
+
+void Engine::set_number(cl::Kernel& kernel, cl_uint index, Precision precision, double value) {
+  if (precision == Precision::float64)
+    kernel.setArg(index, value);
+  else
+    kernel.setArg(index, static_cast<float>(value));
 }
 
 cl::Buffer Engine::upload_polar_angles(std::span<const double> theta) const {
@@ -105,10 +114,12 @@ std::vector<int> Engine::download_ints(const cl::Buffer& buffer, std::size_t cou
 
 void Engine::run(const cl::Kernel& kernel, std::array<std::size_t, 3> size) const {
   const auto [x, y, z] = size;
-  const std::size_t group = row_group(device_, x);
-  const std::size_t even = x - x % group;
+  const std::size_t longest = std::min<std::size_t>(device_.largest_work_group, device_.is_gpu ? 256 : 4096);
+  const std::size_t groups = (x + longest - 1) / longest;
+  const std::size_t group = (x + groups - 1) / groups;
+  const std::size_t even = x / group * group;
   queue_.enqueueNDRangeKernel(kernel, {0, 0, 0}, {even, y, z}, {group, 1, 1});
-  if (even < x) queue_.enqueueNDRangeKernel(kernel, {even, 0, 0}, {x - even, y, z}, {x - even, 1, 1});
+  if (even < x) queue_.enqueueNDRangeKernel(kernel, {x - group, 0, 0}, {group, y, z}, {group, 1, 1});
 }
 
 void Engine::run_groups(const cl::Kernel& kernel, std::size_t size, std::size_t group) const {

@@ -28,7 +28,8 @@ class Engine {
  public:
   /// Builds the kernels. Throws Error (exit status 3): a float64 table on a device without fp64, or a failed
   /// build, with its log.
-  Engine(Device device, Precision working, Precision table);
+  /// `directions_width`: pairs of directions in a work-item, 1, 2, 4, 8 or 16; 0: what suits the device.
+  Engine(Device device, Precision working, Precision table, std::size_t directions_width = 0);
 
   /// The working precision that a device allows.
   static Precision widest(const Device& device) { return device.has_fp64 ? Precision::float64 : Precision::float32; }
@@ -41,19 +42,27 @@ class Engine {
   const cl::CommandQueue& queue() const { return queue_; }
 
   cl::Kernel kernel(const char* name) const { return cl::Kernel(program_, name); }
+  /// A kernel over lists of pairs of directions, each work-item of which takes directions_width() pairs.
+  cl::Kernel directions_kernel(const char* name) const;
+  std::size_t directions_width() const { return directions_width_; }
 
   /// An uninitialised buffer; at least one byte long.
   cl::Buffer buffer(std::size_t bytes) const;
-  /// A buffer of numbers in the working precision.
-  cl::Buffer upload(std::span<const double> values) const;
-  cl::Buffer upload(std::span<const int> values) const;
+  /// A buffer of numbers in one precision, by default the working one.
+  cl::Buffer upload(std::span<const double> values, Precision precision) const;
+  cl::Buffer upload(std::span<const double> values) const { return upload(values, working_); }
+  cl::Buffer upload(std::span<const int> values) const { return upload(std::as_bytes(values)); }
+  cl::Buffer upload(std::span<const std::byte> bytes) const;
+  /// Sets a kernel's argument, a number in one precision.
+  static void set_number(cl::Kernel& kernel, cl_uint index, Precision precision, double value);
   /// Polar angles in degrees. Throws BadInput where the working precision would round one to 90.
   cl::Buffer upload_polar_angles(std::span<const double> theta) const;
   /// Reads numbers in the working precision; waits for the queue.
   std::vector<double> download(const cl::Buffer& buffer, std::size_t count) const;
   std::vector<int> download_ints(const cl::Buffer& buffer, std::size_t count) const;
 
-  /// Enqueues a range; x is the fastest dimension, and work-groups run along it.
+  /// Enqueues a range; x is the fastest dimension. Work-groups run along it, as long as the device allows, for PoCL
+  /// vectorises long ones best; where they do not divide x, the last one repeats some of the work of the one before.
   void run(const cl::Kernel& kernel, std::array<std::size_t, 3> size) const;
   /// A one-dimensional range in work-groups of `group`, which must divide it.
   void run_groups(const cl::Kernel& kernel, std::size_t size, std::size_t group) const;
@@ -62,6 +71,8 @@ class Engine {
   void run_items(const cl::Kernel& kernel, std::array<std::size_t, 3> size, std::size_t first_x = 0) const;
 
  private:
+  cl::Program build(const std::string& options) const;
+
   Device device_;
   Precision working_;
   Precision table_;
@@ -69,6 +80,8 @@ class Engine {
   cl::Context context_;
   cl::CommandQueue queue_;
   cl::Program program_;
+  std::size_t directions_width_;
+  mutable cl::Program directions_;  // built when first asked for
 };
 
 /// Sets a kernel's arguments in order. A kernel does not keep its buffers: they must live until it is enqueued.

@@ -1,6 +1,7 @@
 #include "host/evaluate.hpp"
 
 #include <algorithm>
+#include <unordered_map>
 
 #include "host/interrupt.hpp"
 #include "host/normalizations.hpp"
@@ -10,8 +11,8 @@ namespace brdftab {
 namespace {
 
 constexpr std::size_t pairs_at_once = 1 << 20;
-// Ranges are filled up to whole work-groups, so that PoCL compiles one local size for all.
-constexpr std::size_t group = 64;
+// Work-items in a work-group. Ranges are filled up to whole ones, so that PoCL compiles one local size for all.
+constexpr std::size_t group = 16;
 
 // Distinct values, and the index of each value among them.
 struct Distinct {
@@ -20,18 +21,21 @@ struct Distinct {
 };
 
 Distinct distinct(const std::vector<double>& all) {
-  Distinct result{all, {}};
-  std::sort(result.values.begin(), result.values.end());
-  result.values.erase(std::unique(result.values.begin(), result.values.end()), result.values.end());
-  for (const double value : all)
-    result.index.push_back(
-        static_cast<int>(std::lower_bound(result.values.begin(), result.values.end(), value) - result.values.begin()));
+  Distinct result;
+  result.index.reserve(all.size());
+  std::unordered_map<double, int> known;
+  for (const double value : all) {
+    const auto [at, is_new] = known.try_emplace(value, static_cast<int>(result.values.size()));
+    if (is_new) result.values.push_back(value);
+    result.index.push_back(at->second);
+  }
   return result;
 }
 
 void evaluate_part(const Engine& engine, const Band& band, const ModelSwitches& switches, std::span<const DirectionPair> pairs,
                    std::vector<PolarizedBrdf>& out) {
-  const std::size_t padded = (pairs.size() + group - 1) / group * group;
+  const std::size_t together = group * engine.directions_width();
+  const std::size_t padded = (pairs.size() + together - 1) / together * together;
   std::vector<double> theta_i(padded), theta_s(padded), phi(padded);
   for (std::size_t k = 0; k < padded; ++k) {
     const DirectionPair& pair = pairs[std::min(k, pairs.size() - 1)];
@@ -53,11 +57,11 @@ void evaluate_part(const Engine& engine, const Band& band, const ModelSwitches& 
   const cl::Buffer f_p = engine.buffer(bytes);
   const std::array angles_of_pairs{engine.upload_polar_angles(theta_i), engine.upload_polar_angles(theta_s), engine.upload(phi)};
   const std::array n_of_pairs{engine.upload(incidence), engine.upload(scatter)};
-  cl::Kernel kernel = engine.kernel("evaluate");
+  cl::Kernel kernel = engine.directions_kernel("evaluate");
   set_arguments(kernel, angles_of_pairs[0], angles_of_pairs[1], angles_of_pairs[2], n_of_pairs[0], n_of_pairs[1], n.on_device,
                 static_cast<cl_int>(thetas.values.size()), f_s, f_p);
   KernelMaterial(band.parameters, switches, engine.working()).set(kernel, 9);
-  engine.run_groups(kernel, padded, group);
+  engine.run_groups(kernel, padded / engine.directions_width(), group);
   const auto s = engine.download(f_s, padded);
   const auto p = engine.download(f_p, padded);
   for (std::size_t k = 0; k < pairs.size(); ++k) out.push_back({s[k], p[k]});

@@ -83,7 +83,7 @@ GenerateSummary generate(const Engine& engine, const Material& material, const G
            energy_warnings(material, this_band, grid.theta_i.nodes(), plan.integrals().dhr, options.polarizations))
         findings.energy_warnings.push_back(std::move(warning));
       findings.integrals.push_back(plan.integrals());
-      findings.reciprocity.push_back(reciprocity(engine, this_band, material.switches()));
+      findings.reciprocity.push_back(reciprocity(this_band, material.switches()));
     }
     ring.drain();
   }

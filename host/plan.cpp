@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "host/error.hpp"
+#include "host/kernels_on_host.hpp"
 #include "host/numbers.hpp"
 
 namespace brdftab {
@@ -13,8 +14,39 @@ namespace {
 // Nodes of working memory that no table is too small for.
 constexpr std::size_t smallest_room = 1 << 20;
 
-// f is even and periodic in phi; both operations are exact.
-double folded_azimuth(double phi_i, double phi_s) { return std::abs(std::remainder(phi_s - phi_i, 360.0)); }
+// f is even and periodic in phi; both operations are exact. Decimal axes make differences that should be equal differ in
+// their last digits: a float32 table rounds them to 4e-15 rad, which it cannot tell apart, so that rows repeat exactly.
+double folded_azimuth(double phi_i, double phi_s, Precision table) {
+  const double phi = std::abs(std::remainder(phi_s - phi_i, 360.0));
+  constexpr double steps_per_degree = 0x1p42;
+  return table == Precision::float64 ? phi : std::nearbyint(phi * steps_per_degree) / steps_per_degree;
+}
+
+// One long row of azimuths, of which the row of each phi_i is a piece.
+struct Strip {
+  std::vector<double> azimuths;
+  std::vector<int> shift;  // where the row of each phi_i begins
+};
+
+// The strip of rows [phi_i][phi_s], where there is one that is shorter than all of them together.
+std::optional<Strip> strip_of(std::span<const double> rows, std::span<const double> phi_i, std::span<const double> phi_s) {
+  if (phi_i.size() < 2 || phi_s.size() < 2) return std::nullopt;
+  const double step = (phi_s.back() - phi_s.front()) / static_cast<double>(phi_s.size() - 1);
+  const double longest = (phi_i.back() - phi_i.front()) / step;
+  if (longest + static_cast<double>(phi_s.size()) > 0.75 * static_cast<double>(rows.size())) return std::nullopt;
+  Strip strip;
+  for (const double phi : phi_i) strip.shift.push_back(static_cast<int>(std::lround((phi_i.back() - phi) / step)));
+  strip.azimuths.assign(phi_s.size() + static_cast<std::size_t>(strip.shift.front()), -1);
+  for (std::size_t p = 0; p < phi_i.size(); ++p)
+    for (std::size_t x = 0; x < phi_s.size(); ++x) {
+      double& azimuth = strip.azimuths[static_cast<std::size_t>(strip.shift[p]) + x];
+      if (azimuth < 0) azimuth = rows[p * phi_s.size() + x];
+      if (azimuth != rows[p * phi_s.size() + x]) return std::nullopt;
+    }
+  // Gaps between the pieces are not read.
+  std::replace(strip.azimuths.begin(), strip.azimuths.end(), -1.0, 0.0);
+  return strip;
+}
 
 cl_int as_int(std::size_t count) { return static_cast<cl_int>(count); }
 
@@ -36,146 +68,144 @@ Plan::Plan(const Engine& engine, const Material& material, const Band& band, con
       grid_(grid),
       kernel_material_(band.parameters, material.switches(), engine.working()),
       gaussian_(material.switches().autocovariance == Autocovariance::gaussian),
-      coefficients_(gaussian_ ? 3 : 2),
       integrals_(brdftab::integrals(engine, band, material.switches(), grid.theta_i.nodes())) {
-  if (material.switches().normalization == Normalization::reciprocal)
-    normalization_s_ = normalizations(engine, band, material.switches(), grid.theta_s.nodes());
-
-  const auto polar_table = [&](const Axis& axis) {
-    const cl::Buffer theta = engine_.upload_polar_angles(axis.nodes());
-    const cl::Buffer factors = engine_.buffer(axis.size() * polar_factors_reals * bytes_of(engine_.working()));
-    cl::Kernel kernel = engine_.kernel("polar_table");
-    set_arguments(kernel, theta, factors);
-    kernel_material_.set(kernel, 2);
-    engine_.run_items(kernel, {axis.size(), 1, 1});
-    return factors;
-  };
-  polar_i_ = polar_table(grid.theta_i);
-  polar_s_ = polar_table(grid.theta_s);
-
-  incidence_shadowing_ = engine_.buffer(grid.theta_i.size() * 2 * bytes_of(engine_.table()));
-  cl::Kernel kernel = engine_.kernel("incidence_shadowing_table");
-  set_arguments(kernel, polar_i_, incidence_shadowing_);
-  kernel_material_.set(kernel, 2, false);
-  engine_.run_items(kernel, {grid.theta_i.size(), 1, 1});
+  normalization_s_ = material.switches().normalization == Normalization::reciprocal
+                         ? normalizations(engine, band, material.switches(), grid.theta_s.nodes()).on_device
+                         : engine.upload(std::vector<double>(3 * grid.theta_s.size()));
+  const auto polar_tables =
+      engine.working() == Precision::float64 ? kernels_on_host::Double::polar_tables : kernels_on_host::Float::polar_tables;
+  const auto incidence = polar_tables(band.parameters, material.switches(), grid.theta_i.nodes());
+  polar_i_ = engine.upload(incidence.factors);
+  incidence_shadowing_ = engine.upload(incidence.incidence_shadowing, engine.table());
+  const auto scatter = polar_tables(band.parameters, material.switches(), grid.theta_s.nodes());
+  polar_s_ = engine.upload(scatter.factors);
+  samples_kernel_ = gaussian_                      ? "gaussian_samples"
+                    : combines(incidence, scatter) ? "lorentzian_samples"
+                                                   : "lorentzian_samples_apart";
 }
 
-std::vector<int> Plan::fold_azimuths(Range phi_i) {
-  const auto phi_s = grid_.phi_s.nodes();
-  std::vector<double> all;
-  all.reserve(phi_i.size() * phi_s.size());
+bool Plan::combines(const kernels_on_host::PolarTables& incidence, const kernels_on_host::PolarTables& scatter) const {
+  // Both fall with the polar angle.
+  const std::size_t i = incidence.angles() - 1;
+  const std::size_t s = scatter.angles() - 1;
+  const double mean_cosine = 0.5 * (incidence.cosine(i) + scatter.cosine(s));
+  const double foreshortening = material_.switches().foreshortening ? mean_cosine * mean_cosine : 1;
+  const double narrowing = foreshortening * incidence.v(i) * scatter.v(s);
+  const Parameters& p = band_.parameters;
+  double range = 1;
+  for (const auto& [sigma, rho] :
+       {std::pair{p.sigma_surface, p.rho_surface}, std::pair{p.sigma_bulk, p.rho_bulk}, std::pair{p.sigma_retro, p.rho_retro}})
+    if (sigma > 0) range *= 1 + 4 / (rho * rho * narrowing);
+  // Their product lies between range^(+-1/2): the numerator of f is then a normal float for f above 1e-26 at its peak.
+  constexpr double widest_range = 1e24;
+  return range <= widest_range;
+}
+
+std::vector<double> Plan::fold_azimuths(Range phi_i) const {
+  std::vector<double> rows;
+  rows.reserve(phi_i.size() * grid_.phi_s.size());
   for (std::size_t i = phi_i.begin; i < phi_i.end; ++i)
-    for (const double s : phi_s) all.push_back(folded_azimuth(grid_.phi_i[i], s));
-  azimuths_ = all;
-  // One phi_i: rows of phi_s come out in place. More: each distinct azimuth is computed once and spread.
-  spread_ = phi_i.size() > 1;
-  if (!spread_) return {};
-  std::sort(azimuths_.begin(), azimuths_.end());
-  azimuths_.erase(std::unique(azimuths_.begin(), azimuths_.end()), azimuths_.end());
-  std::vector<int> index(all.size());
-  std::transform(all.begin(), all.end(), index.begin(), [&](double phi) {
-    return as_int(static_cast<std::size_t>(std::lower_bound(azimuths_.begin(), azimuths_.end(), phi) - azimuths_.begin()));
-  });
-  return index;
+    for (const double s : grid_.phi_s.nodes()) rows.push_back(folded_azimuth(grid_.phi_i[i], s, engine_.table()));
+  return rows;
 }
 
 void Plan::prepare_azimuths(const Slab& slab) {
   if (azimuths_phi_i_ && azimuths_phi_i_->begin <= slab.phi_i.begin && slab.phi_i.end <= azimuths_phi_i_->end) return;
-  // All phi_i at once where their rows take no more room than a slab: uniform grids have few distinct azimuths.
-  Range group{0, grid_.phi_i.size()};
-  std::vector<int> index;
+  const auto phi_s = grid_.phi_s.nodes();
+  // One strip for all phi_i where it takes no more room than a slab; otherwise the slab's own azimuths.
   const std::size_t room = std::max(slab.nodes(), smallest_room);
-  bool whole_axis = !phi_i_by_slab_ && group.size() * grid_.phi_s.size() <= room;
-  if (whole_axis) {
-    index = fold_azimuths(group);
-    whole_axis = azimuths_.size() * slab.theta_i.size() * slab.theta_s.size() <= room;
+  Range group{0, grid_.phi_i.size()};
+  std::optional<Strip> strip;
+  if (!phi_i_by_slab_ && group.size() * phi_s.size() <= room) {
+    strip = strip_of(fold_azimuths(group), grid_.phi_i.nodes(), phi_s);
+    if (strip && strip->azimuths.size() * slab.theta_i.size() * slab.theta_s.size() > room) strip.reset();
   }
-  if (!whole_axis) {
+  std::vector<double> azimuths;
+  if (strip) {
+    azimuths = std::move(strip->azimuths);
+    shift_ = engine_.upload(std::span<const int>(strip->shift));
+  } else {
     phi_i_by_slab_ = true;
     group = slab.phi_i;
-    index = fold_azimuths(group);
+    azimuths = fold_azimuths(group);
   }
-  if (spread_) azimuth_of_ = engine_.upload(std::span<const int>(index));
-  const std::size_t table_bytes = azimuths_.size() * bytes_of(engine_.table());
-  azimuth_ = engine_.buffer(azimuths_.size() * azimuth_factors_reals * bytes_of(engine_.working()));
-  sin2_half_ = engine_.buffer(table_bytes);
-  cos2_half_ = engine_.buffer(table_bytes);
-  forward_ = engine_.buffer(table_bytes);
-  const cl::Buffer phi = engine_.upload(std::span<const double>(azimuths_));
-  cl::Kernel kernel = engine_.kernel("azimuth_table");
-  set_arguments(kernel, phi, azimuth_, sin2_half_, cos2_half_, forward_);
-  engine_.run_items(kernel, {azimuths_.size(), 1, 1});
+  const auto tables = engine_.working() == Precision::float64 ? kernels_on_host::Double::azimuth_tables(azimuths)
+                                                              : kernels_on_host::Float::azimuth_tables(azimuths);
+  azimuth_ = engine_.upload(tables.factors);
+  const Precision lobes = gaussian_ ? engine_.working() : engine_.table();
+  sin2_half_ = engine_.upload(tables.sin2_half, lobes);
+  cos2_half_ = engine_.upload(tables.cos2_half, lobes);
+  azimuths_ = azimuths.size();
   azimuths_phi_i_ = group;
+  strip_ = strip.has_value();
   shadowing_theta_s_.reset();
-  rows_of_.reset();
+  strips_of_.reset();
 }
 
 void Plan::prepare_shadowing(const Slab& slab) {
   if (shadowing_theta_s_ == slab.theta_s) return;
-  scatter_shadowing_ = engine_.buffer(slab.theta_s.size() * azimuths_.size() * bytes_of(engine_.table()));
+  scatter_shadowing_ = engine_.buffer(2 * slab.theta_s.size() * azimuths_ * bytes_of(engine_.table()));
   cl::Kernel kernel = engine_.kernel("scatter_shadowing_table");
-  set_arguments(kernel, polar_s_, azimuth_, as_int(slab.theta_s.begin), as_int(azimuths_.size()), scatter_shadowing_);
-  kernel_material_.set(kernel, 5, false);
-  engine_.run(kernel, {azimuths_.size(), slab.theta_s.size(), 1});
+  set_arguments(kernel, polar_s_, as_int(grid_.theta_s.size()), azimuth_, as_int(slab.theta_s.begin), as_int(azimuths_),
+                scatter_shadowing_);
+  kernel_material_.set(kernel, 6);
+  engine_.run(kernel, {azimuths_, slab.theta_s.size(), 1});
   shadowing_theta_s_ = slab.theta_s;
 }
 
 void Plan::tabulate_pairs(const Slab& slab, Polarization polarization) {
   const std::size_t count = slab.theta_i.size() * slab.theta_s.size();
-  const std::size_t bytes = count * 3 * coefficients_ * bytes_of(gaussian_ ? engine_.working() : engine_.table());
+  const std::size_t bytes = count * 9 * bytes_of(gaussian_ ? engine_.working() : engine_.table());
   if (bytes > pairs_bytes_) {
     pairs_ = engine_.buffer(bytes);
     alarms_ = engine_.buffer(count * sizeof(cl_int));
     pairs_bytes_ = bytes;
   }
   cl::Kernel kernel = engine_.kernel(gaussian_ ? "gaussian_pairs" : "lorentzian_pairs");
-  const Normalizations& scatter = normalization_s_ ? *normalization_s_ : integrals_.normalization;
-  set_arguments(kernel, polar_i_, polar_s_, integrals_.normalization.on_device, as_int(grid_.theta_i.size()), scatter.on_device,
-                as_int(normalization_s_ ? grid_.theta_s.size() : 0), as_int(slab.theta_i.begin), as_int(slab.theta_s.begin),
-                pairs_, alarms_, as_int(static_cast<std::size_t>(polarization)));
-  kernel_material_.set(kernel, 11);
-  engine_.run_items(kernel, {slab.theta_s.size(), slab.theta_i.size(), 1});
+  set_arguments(kernel, polar_i_, polar_s_, integrals_.normalization.on_device, as_int(grid_.theta_i.size()), normalization_s_,
+                as_int(grid_.theta_s.size()), as_int(slab.theta_i.begin), as_int(slab.theta_s.begin), as_int(slab.theta_i.size()),
+                as_int(slab.theta_s.size()), pairs_, alarms_);
+  engine_.set_number(kernel, 12, engine_.working(),
+                     polarization == Polarization::unpolarized ? 0.5 : polarization == Polarization::s);
+  engine_.set_number(kernel, 13, engine_.working(),
+                     polarization == Polarization::unpolarized ? 0.5 : polarization == Polarization::p);
+  kernel_material_.set(kernel, 14);
+  engine_.run(kernel, {slab.theta_s.size(), slab.theta_i.size(), 1});
 }
 
-void Plan::tabulate_rows(const Slab& slab, const cl::Buffer& rows) {
-  const auto shadowing = material_.switches().reflectance_shadowing;
-  const cl_int surface_shadowed = shadowing != ReflectanceShadowing::none;
-  const cl_int subsurface_shadowed = shadowing == ReflectanceShadowing::all;
-  const cl_int first_i = as_int(slab.theta_i.begin);
-  cl::Kernel kernel = engine_.kernel(gaussian_ ? "gaussian_samples" : "lorentzian_samples");
-  if (gaussian_)
-    set_arguments(kernel, pairs_, incidence_shadowing_, scatter_shadowing_, azimuth_, rows, as_int(azimuths_.size()), first_i,
-                  surface_shadowed, subsurface_shadowed);
-  else
-    set_arguments(kernel, pairs_, incidence_shadowing_, scatter_shadowing_, sin2_half_, cos2_half_, forward_, rows,
-                  as_int(azimuths_.size()), first_i, surface_shadowed, subsurface_shadowed);
-  engine_.run(kernel, {azimuths_.size(), slab.theta_s.size(), slab.theta_i.size()});
+void Plan::tabulate_rows(const Slab& slab, std::size_t count_phi_i, std::size_t nodes_phi_s, const cl::Buffer& samples) {
+  cl::Kernel kernel = engine_.kernel(samples_kernel_);
+  set_arguments(kernel, pairs_, incidence_shadowing_, scatter_shadowing_, sin2_half_, cos2_half_, samples, as_int(count_phi_i),
+                as_int(nodes_phi_s), as_int(slab.theta_i.begin));
+  const bool subsurface_shadowed = material_.switches().reflectance_shadowing != ReflectanceShadowing::surface;
+  engine_.set_number(kernel, 9, engine_.table(), subsurface_shadowed);
+  engine_.run(kernel, {nodes_phi_s, slab.theta_i.size() * count_phi_i, slab.theta_s.size()});
 }
 
 void Plan::tabulate(const Slab& slab, Polarization polarization, const cl::Buffer& samples) {
   prepare_azimuths(slab);
   prepare_shadowing(slab);
-  if (!spread_) {
+  if (!strip_) {
     tabulate_pairs(slab, polarization);
-    tabulate_rows(slab, samples);
+    tabulate_rows(slab, slab.phi_i.size(), slab.phi_s, samples);
     return;
   }
-  // Slabs of one theta_i that differ in phi_i share their rows.
-  const RowsKey key{slab.theta_i, slab.theta_s, polarization};
-  if (rows_of_ != key) {
+  // Slabs of one theta_i that differ in phi_i share their strips.
+  const StripsKey key{slab.theta_i, slab.theta_s, polarization};
+  if (strips_of_ != key) {
     tabulate_pairs(slab, polarization);
-    const std::size_t bytes = slab.theta_i.size() * slab.theta_s.size() * azimuths_.size() * bytes_of(engine_.table());
-    if (bytes > rows_bytes_) {
-      rows_ = engine_.buffer(bytes);
-      rows_bytes_ = bytes;
+    const std::size_t bytes = slab.theta_i.size() * slab.theta_s.size() * azimuths_ * bytes_of(engine_.table());
+    if (bytes > strips_bytes_) {
+      strips_ = engine_.buffer(bytes);
+      strips_bytes_ = bytes;
     }
-    tabulate_rows(slab, rows_);
-    rows_of_ = key;
+    tabulate_rows(slab, 1, azimuths_, strips_);
+    strips_of_ = key;
   }
-  cl::Kernel spread = engine_.kernel("spread_azimuths");
-  set_arguments(spread, rows_, azimuth_of_, samples, as_int(azimuths_.size()), as_int(slab.phi_s),
+  cl::Kernel rows = engine_.kernel("shifted_rows");
+  set_arguments(rows, strips_, shift_, samples, as_int(azimuths_), as_int(slab.phi_s),
                 as_int(slab.phi_i.begin - azimuths_phi_i_->begin), as_int(slab.phi_i.size()));
-  engine_.run(spread, {slab.phi_s, slab.theta_s.size(), slab.theta_i.size() * slab.phi_i.size()});
+  engine_.run(rows, {slab.phi_s, slab.theta_s.size(), slab.theta_i.size() * slab.phi_i.size()});
 }
 
 void Plan::refuse(std::size_t i, std::size_t s, const std::string& where, std::string_view fault, int lobes) const {

@@ -7,15 +7,12 @@
 
 #include "host/engine.hpp"
 #include "host/integrals.hpp"
+#include "host/kernels_on_host.hpp"
 #include "host/material.hpp"
 #include "host/polarization.hpp"
 #include "host/slab.hpp"
 
 namespace brdftab {
-
-/// Sizes of structs that stay on the device, in reals: PolarFactors and, its padding included, AzimuthFactors.
-inline constexpr std::size_t polar_factors_reals = 8;
-inline constexpr std::size_t azimuth_factors_reals = 5;
 
 /// For one band of a material. Borrows the engine, the material and the grid.
 class Plan {
@@ -33,12 +30,14 @@ class Plan {
   void check(const Slab& slab, std::span<const std::byte> samples);
 
  private:
-  /// Sets azimuths_ for a range of phi_i; returns, where they are to be spread, the azimuth of each (phi_i, phi_s).
-  std::vector<int> fold_azimuths(Range phi_i);
+  /// Whether the denominators of Lorentzian lobes range so little over phi that their product stays in a float's range.
+  bool combines(const kernels_on_host::PolarTables& incidence, const kernels_on_host::PolarTables& scatter) const;
+  /// The azimuth of each (phi_i, phi_s) of a range of phi_i, as the model takes it.
+  std::vector<double> fold_azimuths(Range phi_i) const;
   void prepare_azimuths(const Slab& slab);
   void prepare_shadowing(const Slab& slab);
   void tabulate_pairs(const Slab& slab, Polarization polarization);
-  void tabulate_rows(const Slab& slab, const cl::Buffer& rows);
+  void tabulate_rows(const Slab& slab, std::size_t count_phi_i, std::size_t nodes_phi_s, const cl::Buffer& samples);
   [[noreturn]] void refuse(std::size_t i, std::size_t s, const std::string& where, std::string_view fault, int lobes) const;
 
   const Engine& engine_;
@@ -47,27 +46,26 @@ class Plan {
   const Grid& grid_;
   KernelMaterial kernel_material_;
   bool gaussian_;
-  std::size_t coefficients_;  // of a lobe
+  const char* samples_kernel_;
   Integrals integrals_;
-  std::optional<Normalizations> normalization_s_;
-  cl::Buffer polar_i_, polar_s_, incidence_shadowing_;
+  cl::Buffer polar_i_, polar_s_, incidence_shadowing_, normalization_s_;
 
-  struct RowsKey {
+  struct StripsKey {
     Range theta_i, theta_s;
     Polarization polarization;
-    bool operator==(const RowsKey&) const = default;
+    bool operator==(const StripsKey&) const = default;
   };
 
   // Of the last slabs; kept while their ranges stay.
   std::optional<Range> azimuths_phi_i_;
   std::optional<Range> shadowing_theta_s_;
-  std::vector<double> azimuths_;  // degrees, [0, 180]
-  bool phi_i_by_slab_ = false;    // the rows of all phi_i at once would take too much room
-  std::optional<RowsKey> rows_of_;
-  bool spread_ = false;  // azimuths are distinct ones, not one row in the table's order
-  cl::Buffer azimuth_, sin2_half_, cos2_half_, forward_, azimuth_of_, scatter_shadowing_;
-  cl::Buffer pairs_, alarms_, rows_;
-  std::size_t pairs_bytes_ = 0, rows_bytes_ = 0;
+  std::size_t azimuths_ = 0;    // in the tables below
+  bool phi_i_by_slab_ = false;  // the strips of all phi_i at once would take too much room
+  bool strip_ = false;          // the azimuths are a strip, of which the row of each phi_i is a piece
+  std::optional<StripsKey> strips_of_;
+  cl::Buffer azimuth_, sin2_half_, cos2_half_, shift_, scatter_shadowing_;
+  cl::Buffer pairs_, alarms_, strips_;
+  std::size_t pairs_bytes_ = 0, strips_bytes_ = 0;
 };
 
 }  // namespace brdftab

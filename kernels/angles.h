@@ -9,7 +9,7 @@ typedef struct {
   real cosine;
 } SineCosine;
 
-FN_SHARED SineCosine sincos_degrees(real degrees)
+FN_INLINED SineCosine sincos_degrees(real degrees)
 {
   const real quarter = rint(degrees * REAL(0.011111111111111111111));
   const real x = fma(quarter, REAL(-90.0), degrees) * REAL(0.017453292519943295769);
@@ -34,12 +34,11 @@ FN_SHARED SineCosine sincos_degrees(real degrees)
   c = fma(c, x2, REAL(-0.5));
   const real cosine = fma(c, x2, REAL(1.0));
 
-  const int turn = (int)quarter;
-  const int odd = turn & 1;
-  const real a = odd ? cosine : sine;
-  const real b = odd ? sine : cosine;
+  const bits turn = AS_BITS(quarter + WIDE(ROUNDING));
+  const real a = (turn & 1) != 0 ? cosine : sine;
+  const real b = (turn & 1) != 0 ? sine : cosine;
   SineCosine result;
-  result.sine = (turn & 2) ? -a : a;
-  result.cosine = ((turn + 1) & 2) ? -b : b;
+  result.sine = (turn & 2) != 0 ? -a : a;
+  result.cosine = ((turn + 1) & 2) != 0 ? -b : b;
   return result;
 }

@@ -34,7 +34,7 @@ FN_INLINED real ring_shadowing(Ring ring, real tangent, MaterialConstants m, Mod
   const real sin_phi = REAL(2.0) * tangent * scale;
   const real cos_phi = ring.lobe == LOBE_RETRO ? -toward : toward;
   return reflectance_shadowing(ring.incidence, scatter_shadowing(ring.sine_s, ring.cosine_s, cos_phi, sin_phi * sin_phi, m),
-                               cos_phi >= REAL(0.0));
+                               cos_phi);
 }
 
 // V_m times the profile, per d tangent. With T = tan(phi/2) and c = axial + rho'^2,
@@ -167,7 +167,7 @@ FN Dhr dhr(PolarFactors incidence, int lobe, real n_i, MaterialConstants m, Mode
   real error = REAL(0.0);
   // A peak too narrow to resolve: what normalization() adds to its logarithm, weighted as the peak is.
   if (variant.autocovariance == AUTOCOVARIANCE_GAUSSIAN) {
-    n_i *= exp(-width.ln_missing);
+    n_i *= exponential(-width.ln_missing);
   } else if (width.ln_missing > REAL(0.0)) {
     ring.sine_s = incidence.sine;
     ring.cosine_s = incidence.cosine;

@@ -21,7 +21,7 @@ typedef struct {
 FN_SHARED Fresnel fresnel(real s, real c, MaterialConstants m)
 {
   const real q2_re = (m.n_eff - s) * (m.n_eff + s) - m.k_eff * m.k_eff;
-  const real q2_im = m.m2_im;
+  const scalar q2_im = m.m2_im;
   const real q_norm = sqrt(q2_re * q2_re + q2_im * q2_im);
   const real larger = sqrt(REAL(0.5) * (q_norm + fabs(q2_re)));
   const real smaller = larger > REAL(0.0) ? REAL(0.5) * q2_im / larger : REAL(0.0);

@@ -5,7 +5,7 @@
 #include "dialect.h"
 #include "material.h"
 
-FN real lobe_rho2(int lobe, MaterialConstants m)
+FN scalar lobe_rho2(int lobe, MaterialConstants m)
 {
   return lobe == LOBE_SURFACE ? m.rho2_surface : lobe == LOBE_BULK ? m.rho2_bulk : m.rho2_retro;
 }
@@ -33,25 +33,4 @@ FN LobeDistance lobe_distance(real theta_i, real theta_s, real sine_i, real sine
   d.axial = difference * difference;
   d.transverse = REAL(4.0) * sine_i * sine_s;
   return d;
-}
-
-// exp(-x) I_0(x), x >= 0: power series, and the asymptotic one from x = 20 on,
-// whose smallest term is e^-40. All terms are positive.
-FN real scaled_bessel_i0(real x)
-{
-  real term = REAL(1.0);
-  real sum = REAL(1.0);
-  if (x < REAL(20.0)) {
-    for (int k = 1; k < 100 && term > REAL_EPSILON * REAL(0.25) * sum; ++k) {
-      term *= REAL(0.25) * x * x / ((real)k * (real)k);
-      sum += term;
-    }
-    return exp(-x) * sum;
-  }
-  for (int k = 1; k < 40 && term > REAL_EPSILON * REAL(0.25) * sum; ++k) {
-    const real odd = (real)(2 * k - 1);
-    term *= odd * odd / (REAL(8.0) * (real)k * x);
-    sum += term;
-  }
-  return sum / sqrt(REAL(2.0) * PI * x);
 }

@@ -9,24 +9,26 @@ enum { REFLECTANCE_SHADOWING_ALL = 0, REFLECTANCE_SHADOWING_SURFACE = 1, REFLECT
 enum { LOBE_SURFACE = 0, LOBE_BULK = 1, LOBE_RETRO = 2, LOBE_COUNT = 3 };
 
 typedef struct {
-  real n_eff;
-  real k_eff;
-  real m2_re;           // Re (n_eff + i k_eff)^2
-  real m2_im;           // Im (n_eff + i k_eff)^2
-  real contrast;        // |1 - (n_eff + i k_eff)^2|
-  real sigma_surface;
-  real sigma_bulk;
-  real sigma_retro;
-  real rho2_surface;    // rho^2
-  real rho2_bulk;
-  real rho2_retro;
-  real w_a;
-  real w_b;
-  real gamma;
-  real delta;
-  real inverse_w2;      // 1 / w^2
-  real shape;           // a = 1 + n
-  real ln_gamma_scale;  // ln(a^a e^-a / Gamma(1 + a))
+  scalar n_eff;
+  scalar k_eff;
+  scalar m2_re;           // Re (n_eff + i k_eff)^2
+  scalar m2_im;           // Im (n_eff + i k_eff)^2
+  scalar contrast;        // |1 - (n_eff + i k_eff)^2|
+  scalar sigma_surface;
+  scalar sigma_bulk;
+  scalar sigma_retro;
+  scalar rho2_surface;    // rho^2
+  scalar rho2_bulk;
+  scalar rho2_retro;
+  scalar w_a;
+  scalar w_b;
+  scalar gamma;
+  scalar delta;
+  scalar inverse_w2;      // 1 / w^2
+  scalar shape;           // a = 1 + n
+  scalar ln_gamma_scale;  // ln(a^a e^-a / Gamma(1 + a))
+  scalar series_terms;    // of the incomplete gamma function, for every angle; 0: not needed
+  scalar fraction_terms;
 } MaterialConstants;
 
 typedef struct {

@@ -3,6 +3,7 @@
 #pragma once
 #include "angles.h"
 #include "dialect.h"
+#include "elementary.h"
 #include "fresnel.h"
 #include "lobes.h"
 #include "material.h"
@@ -33,7 +34,7 @@ typedef struct {
   real sin2_phi;
   real sin2_half;  // sin^2(phi/2)
   real cos2_half;
-  int forward;     // alpha >= 0
+  real forward;    // 1 where alpha >= 0, else 0
 } AzimuthFactors;
 
 FN AzimuthFactors azimuth_factors(real phi)
@@ -44,7 +45,7 @@ FN AzimuthFactors azimuth_factors(real phi)
   f.cos2_half = half_angle.cosine * half_angle.cosine;
   f.cos_phi = (half_angle.cosine - half_angle.sine) * (half_angle.cosine + half_angle.sine);
   f.sin2_phi = REAL(4.0) * f.sin2_half * f.cos2_half;
-  f.forward = f.cos_phi >= REAL(0.0);
+  f.forward = f.cos_phi >= REAL(0.0) ? REAL(1.0) : REAL(0.0);
   return f;
 }
 
@@ -111,7 +112,7 @@ FN real normalized_profile(int lobe, LobeDistance d, AzimuthFactors azimuth, rea
   if (variant.autocovariance == AUTOCOVARIANCE_LORENTZIAN)
     return n / (d2 + rho2);
   // No exponent at the peak, where both may have underflowed.
-  return d2 > REAL(0.0) ? n * exp(REAL(-0.25) * d2 / rho2) : n;
+  return d2 > REAL(0.0) ? n * exponential(REAL(-0.25) * d2 / rho2) : n;
 }
 
 FN_INLINED int lobe_is_shadowed(int lobe, ModelVariant variant)
@@ -133,7 +134,7 @@ FN Brdf brdf(PolarFactors i, PolarFactors s, AzimuthFactors azimuth, const real 
   const PolarizedReflectances reflectance = polarized_reflectances(i.fresnel, s.fresnel);
   const real v_m = reflectance_shadowing(
       incidence_shadowing(i.sine, i.cosine, m),
-      scatter_shadowing(s.sine, s.cosine, azimuth.cos_phi, azimuth.sin2_phi, m), azimuth.forward);
+      scatter_shadowing(s.sine, s.cosine, azimuth.cos_phi, azimuth.sin2_phi, m), azimuth.cos_phi);
   Brdf f;
   f.s = REAL(0.0);
   f.p = REAL(0.0);

@@ -20,21 +20,42 @@ FN real closed_form_normalization(real sine, real cosine, real rho2)
   const real mu2 = cosine * cosine;
   const real sum = mu2 + rho2;
   const real root = sqrt(fma(sum, sum, REAL(4.0) * sine * sine * rho2));
-  const real logarithm = rho2 >= mu2 ? log1p(REAL(2.0) / (root + (rho2 - mu2)))
-                                     : log((sum + root) / (REAL(2.0) * rho2));
-  return REAL(1.0) / (PI * logarithm);
+  const real half_integral = rho2 >= mu2 ? logarithm_1_plus(REAL(2.0) / (root + (rho2 - mu2)))
+                                           : logarithm((sum + root) / (REAL(2.0) * rho2));
+  return REAL(1.0) / (PI * half_integral);
+}
+
+// exp(-x) I_0(x), x >= 0: power series, and the asymptotic one from x = 20 on,
+// whose smallest term is e^-40. All terms are positive.
+FN real scaled_bessel_i0(real x)
+{
+  real term = REAL(1.0);
+  real sum = REAL(1.0);
+  if (x < REAL(20.0)) {
+    for (int k = 1; k < 100 && term > REAL_EPSILON * REAL(0.25) * sum; ++k) {
+      term *= REAL(0.25) * x * x / ((real)k * (real)k);
+      sum += term;
+    }
+    return exponential(-x) * sum;
+  }
+  for (int k = 1; k < 40 && term > REAL_EPSILON * REAL(0.25) * sum; ++k) {
+    const real odd = (real)(2 * k - 1);
+    term *= odd * odd / (REAL(8.0) * (real)k * x);
+    sum += term;
+  }
+  return sum / sqrt(REAL(2.0) * PI * x);
 }
 
 // The integral over phi of the profile, divided by pi, per du with u = sin^2 theta_s.
 // Lorentzian: 1/sqrt((u - a)^2 + 2 p (u + a) + p^2), p = rho'^2, whose terms are all positive.
-// Gaussian: exp(-(sqrt(u) - sqrt(a))^2/(4 p)) e^-x I_0(x), x = sqrt(u a)/(2 p).
+// Gaussian: exponential(-(sqrt(u) - sqrt(a))^2/(4 p)) e^-x I_0(x), x = sqrt(u a)/(2 p).
 FN real azimuthal_profile(real v, real u, real a, real p, ModelVariant variant)
 {
   if (variant.autocovariance == AUTOCOVARIANCE_LORENTZIAN)
     return REAL(1.0) / sqrt(fma(v, v, p * fma(REAL(2.0), u + a, p)));
   const real difference = v / (sqrt(u) + sqrt(a));
   p = fmax(p, REAL_SMALLEST);
-  return exp(-difference * difference / (REAL(4.0) * p)) * scaled_bessel_i0(sqrt(u * a) / (REAL(2.0) * p));
+  return exponential(-difference * difference / (REAL(4.0) * p)) * scaled_bessel_i0(sqrt(u * a) / (REAL(2.0) * p));
 }
 
 // An integral over u = sin^2 theta_s runs on the two sides of its peak at u = a, over v = |u - a| = h sinh(x): the
@@ -66,7 +87,7 @@ FN real side_length(int outer, real a, real mu2_i)
 FN real peak_reach(real v, real h)
 {
   const real ratio = v / h;
-  return log1p(ratio + ratio * ratio / (REAL(1.0) + sqrt(fma(ratio, ratio, REAL(1.0)))));
+  return logarithm_1_plus(ratio + ratio * ratio / (REAL(1.0) + sqrt(fma(ratio, ratio, REAL(1.0)))));
 }
 
 // One side of the peak, whole.
@@ -85,9 +106,9 @@ FN PeakSegment peak_side(int outer, real a, real mu2_i, real h)
 FN PeakPoint peak_point(real z, PeakSegment segment)
 {
   const real x = fma(segment.length, z * z * (REAL(3.0) - REAL(2.0) * z), segment.begin);
-  const real grown = exp(x);
+  const real grown = exponential(x);
   const real shrunk = REAL(1.0) / grown;
-  const real sinh_x = x < REAL(0.5) ? REAL(0.5) * (expm1(x) - expm1(-x)) : REAL(0.5) * (grown - shrunk);
+  const real sinh_x = x < REAL(0.5) ? REAL(0.5) * (exponential_less_1(x) - exponential_less_1(-x)) : REAL(0.5) * (grown - shrunk);
   PeakPoint point;
   point.v = fmin(segment.h * sinh_x, side_length(segment.outer, segment.a, segment.mu2_i));
   point.u = segment.outer ? segment.a + point.v : segment.a - point.v;
@@ -116,12 +137,12 @@ typedef struct {
 FN PeakWidth peak_width(real sine, real cosine, real rho2, MaterialConstants m, ModelVariant variant)
 {
   const real ln_v_i = width_shadowing(sine, m, variant).logarithm;
-  const real ln_peak = log(rho2 * foreshortening2(cosine, cosine, variant)) + REAL(2.0) * ln_v_i;
+  const real ln_peak = logarithm(rho2 * foreshortening2(cosine, cosine, variant)) + REAL(2.0) * ln_v_i;
   PeakWidth width;
   width.ln_missing = fmax(LN_RHO2_FLOOR - ln_peak, REAL(0.0));
-  width.ln_rho2 = log(rho2) + ln_v_i;
-  const real p = exp(ln_peak + width.ln_missing);
-  width.floor = p - exp(ln_peak);
+  width.ln_rho2 = logarithm(rho2) + ln_v_i;
+  const real p = exponential(ln_peak + width.ln_missing);
+  width.floor = p - exponential(ln_peak);
   width.h = sqrt(p * fma(REAL(4.0) * sine, sine, p));
   return width;
 }
@@ -130,7 +151,7 @@ FN PeakWidth peak_width(real sine, real cosine, real rho2, MaterialConstants m, 
 FN real integrated_rho2(PeakPoint point, real cosine_i, PeakWidth width, MaterialConstants m, ModelVariant variant)
 {
   const real ln_v_s = width_shadowing(sqrt(point.u), m, variant).logarithm;
-  return fma(foreshortening2(cosine_i, point.mu_s, variant), exp(width.ln_rho2 + ln_v_s), width.floor);
+  return fma(foreshortening2(cosine_i, point.mu_s, variant), exponential(width.ln_rho2 + ln_v_s), width.floor);
 }
 
 // N of one lobe at theta_i.
@@ -169,7 +190,7 @@ FN_SHARED Normalization normalization(SineCosine incidence, int lobe, MaterialCo
     integral += march.integral;
     error += march.error;
   }
-  const real scale = variant.autocovariance == AUTOCOVARIANCE_GAUSSIAN ? exp(width.ln_missing) : REAL(1.0);
+  const real scale = variant.autocovariance == AUTOCOVARIANCE_GAUSSIAN ? exponential(width.ln_missing) : REAL(1.0);
   result.value = scale / (PI * integral);
   result.error = error / integral;
   return result;

@@ -13,7 +13,7 @@ FN UpperGamma width_shadowing(real sine, MaterialConstants m, ModelVariant varia
   v.value = REAL(1.0);
   v.logarithm = REAL(0.0);
   if (variant.width_shadowing)
-    v = upper_gamma(m.shape, sine * sine * m.inverse_w2, m.ln_gamma_scale);
+    v = upper_gamma(sine * sine * m.inverse_w2, m);
   return v;
 }
 
@@ -26,8 +26,8 @@ typedef struct {
 FN Attenuation attenuation(real exponent)
 {
   Attenuation a;
-  a.passed = exp(-exponent);
-  a.blocked = -expm1(-exponent);
+  a.passed = exponential(-exponent);
+  a.blocked = -exponential_less_1(-exponent);
   return a;
 }
 
@@ -35,7 +35,7 @@ FN Attenuation attenuation(real exponent)
 FN Attenuation incidence_shadowing(real sine, real cosine, MaterialConstants m)
 {
   const real zeta = sine / cosine;
-  return attenuation(zeta > REAL(0.0) ? m.gamma * zeta * exp(-m.delta / (zeta * zeta)) : REAL(0.0));
+  return attenuation(zeta > REAL(0.0) ? m.gamma * zeta * exponential(-m.delta / (zeta * zeta)) : REAL(0.0));
 }
 
 // The exponent of S = exp(-w_a |zeta| exp(-w_b / alpha^2)) with alpha = sin theta_s cos phi and
@@ -56,7 +56,7 @@ FN_INLINED real scatter_shadowing(real sine, real cosine, real cos_phi, real sin
 }
 
 // V_m, Eq. (13): (1 - E_0) + S E_0 on the forward side, alpha >= 0, and S on the other.
-FN_INLINED real reflectance_shadowing(Attenuation incidence, real scatter, int forward)
+FN_INLINED real reflectance_shadowing(Attenuation incidence, real scatter, real cos_phi)
 {
-  return forward ? fma(scatter, incidence.passed, incidence.blocked) : scatter;
+  return cos_phi >= REAL(0.0) ? fma(scatter, incidence.passed, incidence.blocked) : scatter;
 }

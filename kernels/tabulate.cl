@@ -15,193 +15,221 @@ typedef float table_real;
 #define LOBE_NEGLIGIBLE REAL(1e-37)
 #endif
 
-enum { POLARIZATION_UNPOLARIZED = 0, POLARIZATION_S = 1, POLARIZATION_P = 2 };
 // Alarms of a pair of polar angles, shifted by the lobe: a peak near or beyond the table's range,
 // or coefficients that the table's precision cannot hold.
 enum { PAIR_NEAR_LIMIT = 1, PAIR_UNREPRESENTABLE = 8 };
 
-__kernel void polar_table(__global const real *restrict theta, __global PolarFactors *restrict polar,
-                          MaterialConstants m, ModelVariant variant)
+// The factors of one of `angles` polar angles, from arrays [POLAR_FACTORS][angles]: neighbouring work-items read
+// neighbouring numbers.
+FN PolarFactors polar_at(__global const real *restrict factors, int angles, size_t k)
 {
-  const size_t k = get_global_id(0);
-  polar[k] = polar_factors(theta[k], m, variant);
+  PolarFactors polar;
+  polar.theta = factors[k];
+  polar.sine = factors[k + angles];
+  polar.cosine = factors[k + 2 * (size_t)angles];
+  polar.v = factors[k + 3 * (size_t)angles];
+  polar.fresnel.modulus_s = factors[k + 4 * (size_t)angles];
+  polar.fresnel.modulus_p = factors[k + 5 * (size_t)angles];
+  polar.fresnel.transmittance_s = factors[k + 6 * (size_t)angles];
+  polar.fresnel.transmittance_p = factors[k + 7 * (size_t)angles];
+  return polar;
 }
 
-__kernel void azimuth_table(__global const real *restrict phi, __global AzimuthFactors *restrict azimuth,
-                            __global table_real *restrict sin2_half, __global table_real *restrict cos2_half,
-                            __global table_real *restrict forward)
-{
-  const size_t k = get_global_id(0);
-  const AzimuthFactors f = azimuth_factors(phi[k]);
-  azimuth[k] = f;
-  sin2_half[k] = (table_real)f.sin2_half;
-  cos2_half[k] = (table_real)f.cos2_half;
-  forward[k] = (table_real)f.forward;
-}
-
-// S of Eq. (13): [theta_s][azimuth].
-__kernel void scatter_shadowing_table(__global const PolarFactors *restrict polar_s,
-                                      __global const AzimuthFactors *restrict azimuth,
-                                      int first_s, int azimuths, __global table_real *restrict shadowing,
-                                      MaterialConstants m)
+// S of Eq. (13), and 1 - S on the forward side, else 0: [2][theta_s][azimuth]. V_m = (1 - E_0) + S E_0 is then
+// S + (1 - S)(1 - E_0) on either side. Without shadowing S = 1.
+__kernel void scatter_shadowing_table(__global const real *restrict polar_s, int angles_s,
+                                      __global const AzimuthFactors *restrict azimuth, int first_s, int azimuths,
+                                      __global table_real *restrict shadowing, MaterialConstants m,
+                                      ModelVariant variant)
 {
   const size_t x = get_global_id(0);
   const size_t s = get_global_id(1);
-  const PolarFactors polar = polar_s[first_s + s];
-  shadowing[s * azimuths + x] =
-      (table_real)scatter_shadowing(polar.sine, polar.cosine, azimuth[x].cos_phi, azimuth[x].sin2_phi, m);
+  const PolarFactors polar = polar_at(polar_s, angles_s, first_s + s);
+  const AzimuthFactors phi = azimuth[x];
+  const Attenuation a =
+      attenuation(scatter_shadowing_exponent(polar.sine, polar.cosine, phi.cos_phi, phi.sin2_phi, m));
+  const int none = variant.reflectance_shadowing == REFLECTANCE_SHADOWING_NONE;
+  const size_t at = s * azimuths + x;
+  shadowing[at] = none ? 1 : (table_real)a.passed;
+  shadowing[get_global_size(1) * azimuths + at] = none ? 0 : (table_real)(phi.forward * a.blocked);
 }
 
-// E_0 and 1 - E_0 of Eq. (13): [theta_i][2].
-__kernel void incidence_shadowing_table(__global const PolarFactors *restrict polar_i,
-                                        __global table_real *restrict shadowing, MaterialConstants m)
-{
-  const size_t i = get_global_id(0);
-  const Attenuation a = incidence_shadowing(polar_i[i].sine, polar_i[i].cosine, m);
-  shadowing[2 * i] = (table_real)a.passed;
-  shadowing[2 * i + 1] = (table_real)a.blocked;
-}
-
-FN Reflectances polarization_reflectances(PolarFactors i, PolarFactors s, int polarization)
+// The mean with weights 1/2 and 1/2, 1 and 0, or 0 and 1, all exact: a choice by branches would not be vectorised.
+FN Reflectances polarization_reflectances(PolarFactors i, PolarFactors s, real weight_s, real weight_p)
 {
   const PolarizedReflectances r = polarized_reflectances(i.fresnel, s.fresnel);
-  return polarization == POLARIZATION_S ? r.s : polarization == POLARIZATION_P ? r.p : unpolarized(r);
+  Reflectances mean;
+  mean.surface = fma(weight_s, r.s.surface, weight_p * r.p.surface);
+  mean.subsurface = fma(weight_s, r.s.subsurface, weight_p * r.p.subsurface);
+  return mean;
 }
 
-// *n_s is read for reciprocal normalisation only; otherwise it need not exist.
-FN real table_normalization(__global const real *n_i, __global const real *n_s, ModelVariant variant)
-{
-  return variant.normalization == NORMALIZATION_RECIPROCAL ? pair_normalization(*n_i, *n_s, variant) : *n_i;
-}
-
-// A Lorentzian lobe between two polar angles is 1/(axial + transverse sin^2(phi/2)) once its
-// amplitude and N are divided into the distance. [theta_i][theta_s][lobe][2].
-// n_i: [LOBE_COUNT][count_i]; n_s: [LOBE_COUNT][count_s].
-__kernel void lorentzian_pairs(__global const PolarFactors *restrict polar_i,
-                               __global const PolarFactors *restrict polar_s, __global const real *restrict n_i,
-                               int count_i, __global const real *restrict n_s, int count_s, int first_i, int first_s,
+// A Lorentzian lobe between two polar angles is amplitude/(axial + transverse sin^2(phi/2)), N included. Both sides are
+// scaled so that the denominator ranges about 1, and products of all three lobes' stay far from the ends of the
+// table's range. [lobe][3][theta_i][theta_s], of pairs_i x pairs_s.
+// n_i: [LOBE_COUNT][count_i]; n_s: [LOBE_COUNT][count_s], which matters for reciprocal normalisation only.
+__kernel void lorentzian_pairs(__global const real *restrict polar_i,
+                             __global const real *restrict polar_s, __global const real *restrict n_i,
+                               int count_i, __global const real *restrict n_s, int count_s, int first_i, int first_s, int pairs_i, int pairs_s,
                                __global table_real *restrict pairs, __global int *restrict alarms,
-                               int polarization, MaterialConstants m, ModelVariant variant)
+                               real weight_s, real weight_p, MaterialConstants m, ModelVariant variant)
 {
   const size_t s = get_global_id(0);
   const size_t i = get_global_id(1);
-  const size_t at = i * get_global_size(0) + s;
-  const PolarFactors factors_i = polar_i[first_i + i];
-  const PolarFactors factors_s = polar_s[first_s + s];
-  const Reflectances reflectance = polarization_reflectances(factors_i, factors_s, polarization);
+  const size_t at = i * pairs_s + s;
+  const size_t count = (size_t)pairs_i * pairs_s;
+  const PolarFactors factors_i = polar_at(polar_i, count_i, first_i + i);
+  const PolarFactors factors_s = polar_at(polar_s, count_s, first_s + s);
+  const Reflectances reflectance = polarization_reflectances(factors_i, factors_s, weight_s, weight_p);
   const LobeDistance distance = lobe_distance(factors_i.theta, factors_s.theta, factors_i.sine, factors_s.sine);
   int alarm = 0;
   for (int lobe = 0; lobe < LOBE_COUNT; ++lobe) {
-    const real n = table_normalization(n_i + lobe * count_i + first_i + i, n_s + lobe * count_s + first_s + s, variant);
-    const real scale = lobe_amplitude(lobe, reflectance, m) * n;
-    const real axial = (distance.axial + shadowed_rho2(lobe, factors_i, factors_s, m, variant)) / scale;
-    const real transverse = distance.transverse / scale;
+    const real n = pair_normalization(n_i[lobe * count_i + first_i + i], n_s[lobe * count_s + first_s + s], variant);
+    const real amplitude = lobe_amplitude(lobe, reflectance, m) * n;
+    const real nearest = distance.axial + shadowed_rho2(lobe, factors_i, factors_s, m, variant);
+    const real farthest = nearest + distance.transverse;
     // A lobe that nowhere reaches what the table can hold is none.
-    const int absent = !(scale > REAL(0.0)) || axial > REAL(1.0) / LOBE_NEGLIGIBLE;
-    if (!absent && (axial < TABLE_MIN * REAL(16.0)))
-      alarm |= PAIR_NEAR_LIMIT << lobe;
-    if (!absent && !(transverse < TABLE_MAX))
-      alarm |= PAIR_UNREPRESENTABLE << lobe;
-    pairs[(at * LOBE_COUNT + lobe) * 2] = absent ? (table_real)INFINITY : (table_real)axial;
-    pairs[(at * LOBE_COUNT + lobe) * 2 + 1] = absent ? (table_real)0 : (table_real)transverse;
+    const int present = (amplitude > REAL(0.0)) & (amplitude > LOBE_NEGLIGIBLE * nearest);
+    const real middle = REAL(1.0) / (sqrt(fmax(nearest, farthest * REAL(1e-30))) * sqrt(farthest));
+    const real scale = fmax(middle, REAL(1e-30) / amplitude);
+    const int near_limit = (scale * nearest < TABLE_MIN * REAL(16.0)) | (amplitude > nearest * (TABLE_MAX / REAL(16.0))) |
+                           (scale * amplitude > TABLE_MAX * REAL(1e-10));
+    const int representable = (scale * farthest < TABLE_MAX) & (scale * amplitude < TABLE_MAX);
+    alarm |= ((present & near_limit) ? PAIR_NEAR_LIMIT : 0) << lobe;
+    alarm |= ((present & !representable) ? PAIR_UNREPRESENTABLE : 0) << lobe;
+    __global table_real *restrict pair = pairs + lobe * 3 * count + at;
+    pair[0] = present ? (table_real)(scale * amplitude) : 0;
+    pair[count] = present ? (table_real)(scale * nearest) : 1;
+    pair[2 * count] = present ? (table_real)(scale * distance.transverse) : 0;
   }
   alarms[at] = alarm;
 }
 
-FN table_real shadow(table_real scatter, table_real forward, table_real passed, table_real blocked)
+// Where a node is: work-items run over phi_s, then theta_i and phi_i together, then theta_s, so that neighbouring
+// work-groups share the shadowing of a theta_s.
+typedef struct {
+  size_t i;
+  size_t s;
+  size_t azimuth;  // among those of all phi_i
+  size_t pair, pairs;            // [theta_i][theta_s], and how many
+  size_t shadowing, shadowings;  // [theta_s][azimuth]
+  size_t sample;   // [theta_i][phi_i][theta_s][phi_s]
+} Node;
+
+FN Node node_here(int count_phi_i, int nodes_phi_s)
 {
-  return forward > 0 ? fma(scatter, passed, blocked) : scatter;
+  const size_t incidence = get_global_id(1);
+  Node node;
+  node.i = incidence / (size_t)count_phi_i;
+  node.s = get_global_id(2);
+  node.azimuth = incidence % (size_t)count_phi_i * nodes_phi_s + get_global_id(0);
+  node.pair = node.i * get_global_size(2) + node.s;
+  node.pairs = get_global_size(1) / (size_t)count_phi_i * get_global_size(2);
+  const size_t azimuths = (size_t)count_phi_i * nodes_phi_s;
+  node.shadowing = node.s * azimuths + node.azimuth;
+  node.shadowings = get_global_size(2) * azimuths;
+  node.sample = (incidence * get_global_size(2) + node.s) * nodes_phi_s + get_global_id(0);
+  return node;
 }
 
-// f, [theta_i][theta_s][azimuth]. Exact global size; no guards. `incidence` holds every theta_i.
-__kernel void lorentzian_samples(__global const table_real *restrict pairs,
-                                 __global const table_real *restrict incidence,
-                                 __global const table_real *restrict scatter,
-                                 __global const table_real *restrict sin2_half,
-                                 __global const table_real *restrict cos2_half,
-                                 __global const table_real *restrict forward, __global table_real *restrict f,
-                                 int azimuths, int first_i, int surface_shadowed, int subsurface_shadowed)
-{
-  const size_t x = get_global_id(0);
-  const size_t s = get_global_id(1);
-  const size_t i = get_global_id(2);
-  const size_t row = i * get_global_size(1) + s;
-  __global const table_real *restrict pair = pairs + row * (LOBE_COUNT * 2);
-  __global const table_real *restrict e_0 = incidence + 2 * (first_i + i);
-  const table_real v_m = shadow(scatter[s * azimuths + x], forward[x], e_0[0], e_0[1]);
-  const table_real surface = 1 / fma(pair[1], sin2_half[x], pair[0]);
-  const table_real bulk = 1 / fma(pair[3], sin2_half[x], pair[2]);
-  const table_real retro = 1 / fma(pair[5], cos2_half[x], pair[4]);
-  const table_real one = 1;
-  f[row * azimuths + x] =
-      fma(surface_shadowed ? v_m : one, surface, (subsurface_shadowed ? v_m : one) * (bulk + retro));
-}
+// f, [theta_i][phi_i][theta_s][phi_s]. Exact global size; no guards. `incidence` holds 1 - E_0 of every theta_i;
+// above and below the surface, V_m or, where `subsurface_shadowed` is 0, 1.
+// With `combined`, one division serves all lobes; see Plan::combines().
+#define LORENTZIAN_SAMPLES(name, combined)                                                                            \
+  __kernel void name(__global const table_real *restrict pairs, __global const table_real *restrict incidence,        \
+                     __global const table_real *restrict scatter, __global const table_real *restrict sin2_half,      \
+                     __global const table_real *restrict cos2_half, __global table_real *restrict f, int count_phi_i, \
+                     int nodes_phi_s, int first_i, table_real subsurface_shadowed)                                    \
+  {                                                                                                                   \
+    const Node node = node_here(count_phi_i, nodes_phi_s);                                                            \
+    const size_t x = node.azimuth;                                                                                    \
+    __global const table_real *restrict amplitude = pairs + node.pair;                                                \
+    __global const table_real *restrict nearest = amplitude + node.pairs;                                             \
+    __global const table_real *restrict transverse = nearest + node.pairs;                                            \
+    const size_t lobe = 3 * node.pairs;                                                                               \
+    const table_real above = fma(scatter[node.shadowing + node.shadowings], incidence[first_i + node.i],              \
+                                 scatter[node.shadowing]);                                                            \
+    const table_real below = fma(above, subsurface_shadowed, 1 - subsurface_shadowed);                                \
+    const table_real surface = fma(transverse[0], sin2_half[x], nearest[0]);                                          \
+    const table_real bulk = fma(transverse[lobe], sin2_half[x], nearest[lobe]);                                       \
+    const table_real retro = fma(transverse[2 * lobe], cos2_half[x], nearest[2 * lobe]);                              \
+    if (combined)                                                                                                     \
+      f[node.sample] = fma(above * amplitude[0], bulk * retro,                                                        \
+                           below * surface * fma(amplitude[lobe], retro, amplitude[2 * lobe] * bulk)) /               \
+                       (surface * (bulk * retro));                                                                    \
+    else                                                                                                              \
+      f[node.sample] = fma(above, amplitude[0] / surface,                                                             \
+                           below * (amplitude[lobe] / bulk + amplitude[2 * lobe] / retro));                           \
+  }
 
-// A Gaussian lobe is scale exp(-(axial + transverse sin^2(phi/2))): [theta_i][theta_s][lobe][3]. The exponent
+LORENTZIAN_SAMPLES(lorentzian_samples, 1)
+LORENTZIAN_SAMPLES(lorentzian_samples_apart, 0)
+
+// A Gaussian lobe is scale exp(-(axial + transverse sin^2(phi/2))): [lobe][3][theta_i][theta_s]. The exponent
 // needs the working precision: in float32 its rounding alone would cost 4e-6 at 1e-30 of the peak.
-__kernel void gaussian_pairs(__global const PolarFactors *restrict polar_i,
-                             __global const PolarFactors *restrict polar_s, __global const real *restrict n_i,
-                             int count_i, __global const real *restrict n_s, int count_s, int first_i, int first_s,
-                             __global real *restrict pairs, __global int *restrict alarms, int polarization,
+__kernel void gaussian_pairs(__global const real *restrict polar_i,
+                             __global const real *restrict polar_s, __global const real *restrict n_i,
+                             int count_i, __global const real *restrict n_s, int count_s, int first_i, int first_s, int pairs_i, int pairs_s,
+                             __global real *restrict pairs, __global int *restrict alarms, real weight_s,
+                             real weight_p,
                              MaterialConstants m, ModelVariant variant)
 {
   const size_t s = get_global_id(0);
   const size_t i = get_global_id(1);
-  const size_t at = i * get_global_size(0) + s;
-  const PolarFactors factors_i = polar_i[first_i + i];
-  const PolarFactors factors_s = polar_s[first_s + s];
-  const Reflectances reflectance = polarization_reflectances(factors_i, factors_s, polarization);
+  const size_t at = i * pairs_s + s;
+  const size_t count = (size_t)pairs_i * pairs_s;
+  const PolarFactors factors_i = polar_at(polar_i, count_i, first_i + i);
+  const PolarFactors factors_s = polar_at(polar_s, count_s, first_s + s);
+  const Reflectances reflectance = polarization_reflectances(factors_i, factors_s, weight_s, weight_p);
   const LobeDistance distance = lobe_distance(factors_i.theta, factors_s.theta, factors_i.sine, factors_s.sine);
   int alarm = 0;
   for (int lobe = 0; lobe < LOBE_COUNT; ++lobe) {
-    const real n = table_normalization(n_i + lobe * count_i + first_i + i, n_s + lobe * count_s + first_s + s, variant);
+    const real n = pair_normalization(n_i[lobe * count_i + first_i + i], n_s[lobe * count_s + first_s + s], variant);
     const real amplitude = lobe_amplitude(lobe, reflectance, m);
     const real scale = amplitude > REAL(0.0) ? amplitude * n : REAL(0.0);
     const real rho2 = fmax(shadowed_rho2(lobe, factors_i, factors_s, m, variant), REAL_SMALLEST);
     if (!(scale < TABLE_MAX))
       alarm |= PAIR_NEAR_LIMIT << lobe;
     // Past 1/REAL_SMALLEST the exponential is zero anywhere off the peak.
-    pairs[(at * LOBE_COUNT + lobe) * 3] = scale;
-    pairs[(at * LOBE_COUNT + lobe) * 3 + 1] = fmin(REAL(0.25) * distance.axial / rho2, REAL(1.0) / REAL_SMALLEST);
-    pairs[(at * LOBE_COUNT + lobe) * 3 + 2] = fmin(REAL(0.25) * distance.transverse / rho2, REAL(1.0) / REAL_SMALLEST);
+    __global real *restrict pair = pairs + lobe * 3 * count + at;
+    pair[0] = scale;
+    pair[count] = fmin(REAL(0.25) * distance.axial / rho2, REAL(1.0) / REAL_SMALLEST);
+    pair[2 * count] = fmin(REAL(0.25) * distance.transverse / rho2, REAL(1.0) / REAL_SMALLEST);
   }
   alarms[at] = alarm;
 }
 
-FN real gaussian_lobe(__global const real *restrict lobe, real distance)
+FN real gaussian_lobe(__global const real *restrict lobe, size_t pairs, real distance)
 {
-  return lobe[0] * exp(-fma(lobe[2], distance, lobe[1]));
+  return lobe[0] * exponential(-fma(lobe[2 * pairs], distance, lobe[pairs]));
 }
 
 __kernel void gaussian_samples(__global const real *restrict pairs, __global const table_real *restrict incidence,
-                               __global const table_real *restrict scatter,
-                               __global const AzimuthFactors *restrict azimuth, __global table_real *restrict f,
-                               int azimuths, int first_i, int surface_shadowed, int subsurface_shadowed)
+                               __global const table_real *restrict scatter, __global const real *restrict sin2_half,
+                               __global const real *restrict cos2_half, __global table_real *restrict f,
+                               int count_phi_i, int nodes_phi_s, int first_i, table_real subsurface_shadowed)
 {
-  const size_t x = get_global_id(0);
-  const size_t s = get_global_id(1);
-  const size_t i = get_global_id(2);
-  const size_t row = i * get_global_size(1) + s;
-  __global const real *restrict pair = pairs + row * (LOBE_COUNT * 3);
-  __global const table_real *restrict e_0 = incidence + 2 * (first_i + i);
-  const real v_m = (real)shadow(scatter[s * azimuths + x], (table_real)azimuth[x].forward, e_0[0], e_0[1]);
-  const real surface = gaussian_lobe(pair, azimuth[x].sin2_half);
-  const real bulk = gaussian_lobe(pair + 3, azimuth[x].sin2_half);
-  const real retro = gaussian_lobe(pair + 6, azimuth[x].cos2_half);
-  f[row * azimuths + x] = (table_real)fma(surface_shadowed ? v_m : REAL(1.0), surface,
-                                          (subsurface_shadowed ? v_m : REAL(1.0)) * (bulk + retro));
+  const Node node = node_here(count_phi_i, nodes_phi_s);
+  __global const real *restrict lobe = pairs + node.pair;
+  const size_t next = 3 * node.pairs;
+  const table_real above = fma(scatter[node.shadowing + node.shadowings], incidence[first_i + node.i],
+                               scatter[node.shadowing]);
+  const table_real below = fma(above, subsurface_shadowed, 1 - subsurface_shadowed);
+  const real surface = gaussian_lobe(lobe, node.pairs, sin2_half[node.azimuth]);
+  const real bulk = gaussian_lobe(lobe + next, node.pairs, sin2_half[node.azimuth]);
+  const real retro = gaussian_lobe(lobe + 2 * next, node.pairs, cos2_half[node.azimuth]);
+  f[node.sample] = (table_real)fma((real)above, surface, (real)below * (bulk + retro));
 }
 
-// f depends on phi_s - phi_i only: samples [theta_i][theta_s][azimuth] spread over
-// [theta_i][phi_i][theta_s][phi_s], azimuth_of: [phi_i][phi_s], read from first_phi_i on.
-__kernel void spread_azimuths(__global const table_real *restrict samples, __global const int *restrict azimuth_of,
-                              __global table_real *restrict f, int azimuths, int nodes_phi_s, int first_phi_i,
-                              int count_phi_i)
+// f depends on phi_s - phi_i only: on uniform grids the row of a phi_i is a piece of one longer row,
+// strips [theta_i][theta_s][strip], from shift[phi_i] on. f: [theta_i][phi_i][theta_s][phi_s].
+__kernel void shifted_rows(__global const table_real *restrict strips, __global const int *restrict shift,
+                           __global table_real *restrict f, int strip, int nodes_phi_s, int first_phi_i, int count_phi_i)
 {
   const size_t x = get_global_id(0);
   const size_t s = get_global_id(1);
-  const size_t i = get_global_id(2) / (size_t)count_phi_i;
-  const size_t phi_i = first_phi_i + get_global_id(2) % (size_t)count_phi_i;
-  f[(get_global_id(2) * get_global_size(1) + s) * nodes_phi_s + x] =
-      samples[(i * get_global_size(1) + s) * azimuths + azimuth_of[phi_i * nodes_phi_s + x]];
+  const size_t incidence = get_global_id(2);
+  const size_t i = incidence / (size_t)count_phi_i;
+  const size_t from = shift[first_phi_i + incidence % (size_t)count_phi_i];
+  f[(incidence * get_global_size(1) + s) * nodes_phi_s + x] = strips[(i * get_global_size(1) + s) * strip + from + x];
 }

@@ -6,9 +6,9 @@
 #include "host/evaluate.hpp"
 #include "host/integrals.hpp"
 #include "host/kernel_constants.hpp"
+#include "host/kernels_on_host.hpp"
 #include "host/plan.hpp"
 #include "host/reference/model.hpp"
-#include "tests/kernels_on_host.hpp"
 #include "tests/random_materials.hpp"
 
 namespace brdftab {
@@ -58,8 +58,11 @@ TEST(Device, SharedStructsHaveOneLayout) {
     EXPECT_EQ(sizes[0], working == Precision::float64 ? static_cast<int>(sizeof(kernel_f64::MaterialConstants))
                                                       : static_cast<int>(sizeof(kernel_f32::MaterialConstants)));
     EXPECT_EQ(sizes[1], static_cast<int>(sizeof(kernel_f64::ModelVariant)));
-    EXPECT_EQ(sizes[2], static_cast<int>(polar_factors_reals * bytes_of(working)));
-    EXPECT_EQ(sizes[3], static_cast<int>(azimuth_factors_reals * bytes_of(working)));
+    const double angle = 30;
+    EXPECT_EQ(sizes[2], static_cast<int>(8 * bytes_of(working)));
+    EXPECT_EQ(sizes[3], static_cast<int>(working == Precision::float64
+                                             ? kernels_on_host::Double::azimuth_tables({&angle, 1}).factors.size()
+                                             : kernels_on_host::Float::azimuth_tables({&angle, 1}).factors.size()));
   }
 }
 

@@ -100,8 +100,8 @@ TEST_F(OnDevice, ReciprocityIsPerfectWhereTheModelIsSymmetric) {
   ModelSwitches symmetric;
   symmetric.normalization = Normalization::reciprocal;
   symmetric.reflectance_shadowing = ReflectanceShadowing::none;
-  EXPECT_LE(reciprocity(*engine_, {std::nullopt, p}, symmetric).maximum, 1e-12);
-  const auto defect = reciprocity(*engine_, {std::nullopt, p}, {});
+  EXPECT_LE(reciprocity({std::nullopt, p}, symmetric).maximum, 1e-12);
+  const auto defect = reciprocity({std::nullopt, p}, {});
   EXPECT_GT(defect.median, 1e-3);
   EXPECT_LE(defect.median, defect.percentile_90);
   EXPECT_LE(defect.percentile_90, defect.maximum);

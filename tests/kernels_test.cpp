@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "host/reference/model.hpp"
-#include "tests/kernels_on_host.hpp"
+#include "host/kernels_on_host.hpp"
 #include "tests/random_materials.hpp"
 
 namespace brdftab {

@@ -64,7 +64,7 @@ ExitStatus run(const Options& options, const CommonOptions& common) {
     }
     text += bhr_line(engine, band, material.switches(), polarization, digits);
     const Reciprocity defect =
-        engine ? reciprocity(*engine, band, material.switches()) : reference_reciprocity(band, material.switches());
+        engine ? reciprocity(band, material.switches()) : reference_reciprocity(band, material.switches());
     text += fmt::format(
         "# reciprocity of {} pairs: median {:.4g}, 90 % {:.4g}, maximum {:.4g} at theta_i = {}, theta_s = {}, phi = {} degrees; "
         "{}\n",

@@ -1,5 +1,4 @@
-// Entry points for lists of directions: N and DHR of a list of polar angles, and f
-// of a list of direction pairs.
+// Entry points for lists of polar angles: N and DHR.
 #include "dhr.h"
 #include "model.h"
 #include "normalization.h"
@@ -28,26 +27,6 @@ __kernel void dhrs(__global const real *restrict theta, int angles, __global con
   dhr_s[at] = reflectance.s;
   dhr_p[at] = reflectance.p;
   error[at] = reflectance.error;
-}
-
-// Angles in degrees; n: [LOBE_COUNT][angles], read at incidence[k] and scatter[k]. f in 1/sr.
-__kernel void evaluate(__global const real *restrict theta_i, __global const real *restrict theta_s,
-                       __global const real *restrict phi, __global const int *restrict incidence,
-                       __global const int *restrict scatter, __global const real *restrict n, int angles,
-                       __global real *restrict f_s, __global real *restrict f_p, MaterialConstants m,
-                       ModelVariant variant)
-{
-  const size_t k = get_global_id(0);
-  real n_i[LOBE_COUNT];
-  real n_s[LOBE_COUNT];
-  for (int lobe = 0; lobe < LOBE_COUNT; ++lobe) {
-    n_i[lobe] = n[lobe * angles + incidence[k]];
-    n_s[lobe] = n[lobe * angles + scatter[k]];
-  }
-  const Brdf f = brdf(polar_factors(theta_i[k], m, variant), polar_factors(theta_s[k], m, variant),
-                      azimuth_factors(phi[k]), n_i, n_s, m, variant);
-  f_s[k] = f.s;
-  f_p[k] = f.p;
 }
 
 // Sizes of the structs that the host shares or allocates, as this device lays them out.
