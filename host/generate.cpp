@@ -42,17 +42,20 @@ GenerateSummary generate(const Engine& engine, const Material& material, const G
                    static_cast<double>(wanted), most_samples);
   const auto samples = static_cast<std::size_t>(wanted);
   PartialFile file(target, options.force);
-  file.require_space(samples * node_bytes);
+  // What compression leaves is not known before.
+  if (options.storage.deflate_level == 0) file.require_space(samples * node_bytes);
 
   const TableContent content{.material = material,
                              .grid = grid,
                              .polarizations = options.polarizations,
                              .precision = engine.table(),
                              .working = engine.working(),
+                             .storage = options.storage,
                              .device = engine.device().description(),
                              .build_options = engine.build_options(),
                              .history = options.history};
-  const auto cuts = slabs(grid, std::max<std::size_t>(options.slab_bytes / node_bytes, 1));
+  const Chunk chunk = options.storage.deflate_level > 0 ? chunk_shape(grid, node_bytes) : Chunk{};
+  const auto cuts = slabs(grid, std::max<std::size_t>(options.slab_bytes / node_bytes, 1), chunk);
   const std::size_t largest =
       std::max_element(cuts.begin(), cuts.end(), [](const Slab& a, const Slab& b) { return a.nodes() < b.nodes(); })->nodes();
   TableFindings findings;
@@ -96,9 +99,10 @@ GenerateSummary generate(const Engine& engine, const Material& material, const G
                 target.string(), findings.accuracy.max_relative_error, promised);
   stop_if_interrupted();
   naming(target, [&] { writer->finish(findings); });
+  const std::size_t file_bytes = std::filesystem::file_size(file.path());
   file.commit();
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-  return {samples, samples * node_bytes, elapsed.count(), std::move(findings)};
+  return {samples, samples * node_bytes, file_bytes, elapsed.count(), std::move(findings)};
 }
 
 }  // namespace brdftab

@@ -8,12 +8,14 @@
 
 #include "host/engine.hpp"
 #include "host/material.hpp"
+#include "host/table_storage.hpp"
 #include "host/table_writer.hpp"
 
 namespace brdftab {
 
 struct GenerateOptions {
   std::vector<Polarization> polarizations{Polarization::unpolarized};
+  TableStorage storage;
   bool quiet = false;
   bool force = false;
   std::string history;
@@ -23,6 +25,7 @@ struct GenerateOptions {
 struct GenerateSummary {
   std::size_t samples;
   std::size_t bytes;
+  std::size_t file_bytes;
   double seconds;
   TableFindings findings;
 };

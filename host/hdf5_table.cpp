@@ -2,8 +2,11 @@
 
 #include <hdf5_hl.h>
 
+#include <algorithm>
 #include <map>
+#include <optional>
 
+#include "host/chunk_deflater.hpp"
 #include "host/error.hpp"
 #include "host/hdf5_handle.hpp"
 #include "host/switches.hpp"
@@ -31,6 +34,12 @@ class Hdf5Table : public TableWriter {
  public:
   Hdf5Table(const std::filesystem::path& path, const TableContent& content)
       : path_(path), precision_(content.precision), file_(create_file(path)) {
+    if (const int level = content.storage.deflate_level; level > 0) {
+      chunk_ = chunk_shape(content.grid, bytes_of(precision_));
+      deflate_level_ = level;
+      const std::size_t nodes = chunk_->theta_i * chunk_->phi_i * chunk_->theta_s * content.grid.phi_s.size();
+      deflater_.emplace(nodes * bytes_of(precision_), bytes_of(precision_), level);
+    }
     write_root_attributes(content);
     if (content.material.has_wavelengths()) {
       std::vector<double> wavelengths;
@@ -48,23 +57,19 @@ class Hdf5Table : public TableWriter {
       dimensions_.emplace_back(axis->row().name);
     }
     for (const Polarization polarization : content.polarizations)
-      samples_.push_back(create_variable(std::string(brdf_name(polarization)), dimensions_, stored_type(precision_), "sr-1",
-                                         polarization == Polarization::unpolarized
-                                             ? "bidirectional reflectance distribution function, unpolarised light"
-                                             : fmt::format("bidirectional reflectance distribution function, {}-polarised light",
-                                                           polarization_names[static_cast<std::size_t>(polarization)])));
+      samples_.push_back(create_samples(polarization));
     // A killed run leaves a file that opens and whose written part reads.
     hdf5_check(H5Fflush(file_, H5F_SCOPE_LOCAL), path_.string());
   }
 
   void write(std::size_t polarization, std::size_t band, const Slab& slab, std::span<const std::byte> samples) override {
-    std::vector<hsize_t> start{slab.theta_i.begin, slab.phi_i.begin, slab.theta_s.begin, 0};
-    std::vector<hsize_t> count{slab.theta_i.size(), slab.phi_i.size(), slab.theta_s.size(), slab.phi_s};
-    if (dimensions_.size() == 5) {
-      start.insert(start.begin(), band);
-      count.insert(count.begin(), 1);
-    }
     const Hdf5Handle& dataset = samples_[polarization];
+    if (chunk_) {
+      write_chunks(dataset, band, slab, samples);
+      return;
+    }
+    const auto start = coordinates(band, slab.theta_i.begin, slab.phi_i.begin, slab.theta_s.begin, 0);
+    const auto count = coordinates(1, slab.theta_i.size(), slab.phi_i.size(), slab.theta_s.size(), slab.phi_s);
     const Hdf5Handle space(H5Dget_space(dataset), "brdf");
     hdf5_check(H5Sselect_hyperslab(space, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr), "brdf");
     const hsize_t nodes = slab.nodes();
@@ -98,6 +103,31 @@ class Hdf5Table : public TableWriter {
   }
 
  private:
+  // Of the samples' dimensions.
+  std::vector<hsize_t> coordinates(hsize_t wavelength, hsize_t theta_i, hsize_t phi_i, hsize_t theta_s, hsize_t phi_s) const {
+    std::vector<hsize_t> result{theta_i, phi_i, theta_s, phi_s};
+    if (dimensions_.size() == 5) result.insert(result.begin(), wavelength);
+    return result;
+  }
+
+  void write_chunks(hid_t dataset, std::size_t band, const Slab& slab, std::span<const std::byte> samples) {
+    std::vector<std::span<const std::byte>> chunks;
+    std::vector<std::vector<hsize_t>> starts;
+    for (std::size_t i = slab.theta_i.begin; i < slab.theta_i.end; i += chunk_->theta_i)
+      for (std::size_t p = slab.phi_i.begin; p < slab.phi_i.end; p += chunk_->phi_i)
+        for (std::size_t s = slab.theta_s.begin; s < slab.theta_s.end; s += chunk_->theta_s) {
+          // In the table's order chunks follow one another without a gap.
+          const std::size_t nodes = std::min(chunk_->theta_i, slab.theta_i.end - i) * std::min(chunk_->phi_i, slab.phi_i.end - p) *
+                                    std::min(chunk_->theta_s, slab.theta_s.end - s) * slab.phi_s;
+          const std::size_t begin = chunks.empty() ? 0 : static_cast<std::size_t>(chunks.back().data() + chunks.back().size() - samples.data());
+          chunks.push_back(samples.subspan(begin, nodes * bytes_of(precision_)));
+          starts.push_back(coordinates(band, i, p, s, 0));
+        }
+    deflater_->deflate(chunks, [&](std::size_t k, ChunkDeflater::Stream stream) {
+      hdf5_check(H5Dwrite_chunk(dataset, H5P_DEFAULT, 0, starts[k].data(), stream.size(), stream.data()), path_.string());
+    });
+  }
+
   // One value for each theta_i, and for each wavelength where there are any.
   void write_integrals(const std::vector<Integrals>& bands) {
     std::vector<std::string> dimensions{"theta_i"};
@@ -106,7 +136,7 @@ class Hdf5Table : public TableWriter {
       std::vector<double> values;
       for (const auto& band : bands)
         for (std::size_t k = 0; k < band.normalization.value[0].size(); ++k) values.push_back(value_at(band, k));
-      const Hdf5Handle variable = create_variable(name, dimensions, H5T_IEEE_F64LE, "1", long_name);
+      const Hdf5Handle variable = create_variable(name, dimensions, H5T_IEEE_F64LE, "1", long_name, Hdf5Handle(H5Pcreate(H5P_DATASET_CREATE), name));
       hdf5_check(H5Dwrite(variable, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), path_.string());
     };
     for (std::size_t lobe = 0; lobe < 3; ++lobe)
@@ -186,15 +216,35 @@ class Hdf5Table : public TableWriter {
     scales_.emplace(name, std::move(dataset));
   }
 
-  // Contiguous, allocated now and never filled: every node is written.
+  Hdf5Handle create_samples(Polarization polarization) {
+    const std::string light(polarization_names[static_cast<std::size_t>(polarization)]);
+    return create_variable(std::string(brdf_name(polarization)), dimensions_, stored_type(precision_), "sr-1",
+                           fmt::format("bidirectional reflectance distribution function, {}",
+                                       polarization == Polarization::unpolarized ? "unpolarised light" : light + "-polarised light"),
+                           sample_storage());
+  }
+
+  // Every node is written, so nothing is filled. What is not compressed is contiguous and allocated at once.
+  Hdf5Handle sample_storage() const {
+    Hdf5Handle creation(H5Pcreate(H5P_DATASET_CREATE), "dataset properties");
+    hdf5_check(H5Pset_fill_time(creation, H5D_FILL_TIME_NEVER), "fill time");
+    if (chunk_) {
+      const auto shape = coordinates(1, chunk_->theta_i, chunk_->phi_i, chunk_->theta_s, sizes_.at("phi_s"));
+      hdf5_check(H5Pset_chunk(creation, static_cast<int>(shape.size()), shape.data()), "chunks");
+      hdf5_check(H5Pset_shuffle(creation), "shuffle");
+      // For information only: zlib has no level above 9.
+      hdf5_check(H5Pset_deflate(creation, static_cast<unsigned>(std::min(deflate_level_, 9))), "deflate");
+    } else {
+      hdf5_check(H5Pset_alloc_time(creation, H5D_ALLOC_TIME_EARLY), "allocation time");
+    }
+    return creation;
+  }
+
   Hdf5Handle create_variable(const std::string& name, const std::vector<std::string>& dimensions, hid_t type,
-                             std::string_view units, const std::string& long_name) {
+                             std::string_view units, const std::string& long_name, const Hdf5Handle& creation) {
     std::vector<hsize_t> shape;
     for (const auto& dimension : dimensions) shape.push_back(sizes_.at(dimension));
     const Hdf5Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), name);
-    const Hdf5Handle creation(H5Pcreate(H5P_DATASET_CREATE), name);
-    hdf5_check(H5Pset_alloc_time(creation, H5D_ALLOC_TIME_EARLY), name);
-    hdf5_check(H5Pset_fill_time(creation, H5D_FILL_TIME_NEVER), name);
     Hdf5Handle dataset(H5Dcreate2(file_, name.c_str(), type, space, H5P_DEFAULT, creation, H5P_DEFAULT), path_.string());
     for (unsigned k = 0; k < dimensions.size(); ++k) hdf5_check(H5DSattach_scale(dataset, scales_.at(dimensions[k]), k), name);
     write_attribute(dataset, "units", units);
@@ -209,6 +259,9 @@ class Hdf5Table : public TableWriter {
   std::map<std::string, hsize_t> sizes_;
   std::map<std::string, Hdf5Handle> scales_;
   std::vector<Hdf5Handle> samples_;
+  std::optional<Chunk> chunk_;
+  int deflate_level_ = 0;
+  std::optional<ChunkDeflater> deflater_;
 };
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "host/material.hpp"
 #include "host/polarization.hpp"
 #include "host/precision.hpp"
+#include "host/table_storage.hpp"
 
 namespace brdftab {
 
@@ -33,6 +34,7 @@ struct TableContent {
   std::vector<Polarization> polarizations;
   Precision precision;
   Precision working;
+  TableStorage storage;
   std::string device;
   std::string build_options;
   std::string history;

@@ -22,6 +22,7 @@ struct Options {
   std::optional<std::string> axes[4];
   std::string polarization = "unpolarized";
   std::string precision = "float32";
+  std::optional<std::string> compress;
   std::optional<std::string> device;
   bool force = false;
 };
@@ -86,7 +87,16 @@ fs::path file_in_folder(const fs::path& folder, const std::string& material, con
   return folder / (name + std::string(format.extensions.front()));
 }
 
+// How a table that is not plain came out smaller.
+std::string storage_text(const TableStorage& storage, const GenerateSummary& summary) {
+  if (storage.deflate_level == 0) return {};
+  return fmt::format(" as {:.3g} MB (ratio {:.2f})", static_cast<double>(summary.file_bytes) / 1e6,
+                     static_cast<double>(summary.bytes) / static_cast<double>(summary.file_bytes));
+}
+
 ExitStatus run(const Options& options, const CommonOptions& common) {
+  TableStorage storage;
+  if (options.compress) storage.deflate_level = parse_compression(*options.compress);
   std::error_code error;
   const bool is_folder = fs::is_directory(options.output, error);
   const bool folder = options.materials.size() > 1 || options.output.ends_with('/') || is_folder;
@@ -119,14 +129,15 @@ ExitStatus run(const Options& options, const CommonOptions& common) {
   const Engine engine(device, Engine::widest(device), precision);
   GenerateOptions generate_options;
   generate_options.polarizations = polarizations(options.polarization);
+  generate_options.storage = storage;
   generate_options.quiet = common.quiet;
   generate_options.force = options.force;
   generate_options.history = history(common);
   for (const Task& task : tasks) {
     const auto summary = generate(engine, task.material, task.grid, task.target, format.create, generate_options);
     const Accuracy& accuracy = summary.findings.accuracy;
-    say(common, fmt::format("{}: {} samples, {:.3g} MB in {:.2f} s; {}", task.target.string(), summary.samples,
-                            static_cast<double>(summary.bytes) / 1e6, summary.seconds,
+    say(common, fmt::format("{}: {} samples, {:.3g} MB{} in {:.2f} s; {}", task.target.string(), summary.samples,
+                            static_cast<double>(summary.bytes) / 1e6, storage_text(storage, summary), summary.seconds,
                             accuracy.nodes == 0
                                 ? "no node large enough to be checked against the scalar reference"
                                 : fmt::format("largest relative error at {} nodes checked against the scalar reference {:.1e}",
@@ -152,6 +163,10 @@ std::function<ExitStatus()> generate_command(CLI::App& parser, const CommonOptio
       ->check(CLI::IsMember({"unpolarized", "s", "p", "all"}));
   parser.add_option("--precision", options->precision, "Samples as float32 (default) or float64")
       ->check(CLI::IsMember({"float32", "float64"}));
+  parser.add_option("--compress", options->compress,
+                    "deflate or deflate:LEVEL, 1 (default, fastest) to 12: HDF5 chunks, shuffled and deflated, that any reader "
+                    "opens without a plug-in")
+      ->type_name("deflate[:LEVEL]");
   parser.add_flag("--force", options->force, "Overwrite an existing table");
   add_device_option(parser, options->device);
   return [options, &common] { return run(*options, common); };
