@@ -66,8 +66,7 @@ void ChunkDeflater::deflate(std::span<const std::span<const std::byte>> chunks,
       const auto shuffle_numbers = node_bytes_ == 8 ? shuffle<std::uint64_t> : shuffle<std::uint32_t>;
       shuffle_numbers(chunks[k], worker.shuffled.get(), chunk_bytes_ / node_bytes_);
       Output& output = *outputs_[k];
-      output.size =
-          libdeflate_zlib_compress(worker.compressor, worker.shuffled.get(), chunk_bytes_, output.stream.get(), bound_);
+      output.size = libdeflate_zlib_compress(worker.compressor, worker.shuffled.get(), chunk_bytes_, output.stream.get(), bound_);
       output.size.notify_one();
     }
   };

@@ -18,12 +18,20 @@ hid_t stored_type(Precision precision) { return precision == Precision::float64 
 
 hid_t memory_type(Precision precision) { return precision == Precision::float64 ? H5T_NATIVE_DOUBLE : H5T_NATIVE_FLOAT; }
 
+Hdf5Handle dataset_properties() {
+  Hdf5Handle creation(H5Pcreate(H5P_DATASET_CREATE), "dataset properties");
+  hdf5_check(H5Pset_obj_track_times(creation, false), "object times");
+  return creation;
+}
+
 // netCDF and h5netcdf keep the order of creation, and can append, only if the root tracks it.
 Hdf5Handle create_file(const std::filesystem::path& path) {
   const Hdf5Handle creation(H5Pcreate(H5P_FILE_CREATE), "HDF5 file properties");
   const unsigned order = H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED;
   hdf5_check(H5Pset_link_creation_order(creation, order), "link order");
   hdf5_check(H5Pset_attr_creation_order(creation, order), "attribute order");
+  // The same table is the same bytes, whenever it is made.
+  hdf5_check(H5Pset_obj_track_times(creation, false), "object times");
   const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), "HDF5 file properties");
   // Since 1.8 an attribute may exceed 64 KiB, as a material's text may.
   hdf5_check(H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V18), "HDF5 version");
@@ -56,8 +64,7 @@ class Hdf5Table : public TableWriter {
                                                : "");
       dimensions_.emplace_back(axis->row().name);
     }
-    for (const Polarization polarization : content.polarizations)
-      samples_.push_back(create_samples(polarization));
+    for (const Polarization polarization : content.polarizations) samples_.push_back(create_samples(polarization));
     // A killed run leaves a file that opens and whose written part reads.
     hdf5_check(H5Fflush(file_, H5F_SCOPE_LOCAL), path_.string());
   }
@@ -117,9 +124,11 @@ class Hdf5Table : public TableWriter {
       for (std::size_t p = slab.phi_i.begin; p < slab.phi_i.end; p += chunk_->phi_i)
         for (std::size_t s = slab.theta_s.begin; s < slab.theta_s.end; s += chunk_->theta_s) {
           // In the table's order chunks follow one another without a gap.
-          const std::size_t nodes = std::min(chunk_->theta_i, slab.theta_i.end - i) * std::min(chunk_->phi_i, slab.phi_i.end - p) *
+          const std::size_t nodes = std::min(chunk_->theta_i, slab.theta_i.end - i) *
+                                    std::min(chunk_->phi_i, slab.phi_i.end - p) *
                                     std::min(chunk_->theta_s, slab.theta_s.end - s) * slab.phi_s;
-          const std::size_t begin = chunks.empty() ? 0 : static_cast<std::size_t>(chunks.back().data() + chunks.back().size() - samples.data());
+          const std::size_t begin =
+              chunks.empty() ? 0 : static_cast<std::size_t>(chunks.back().data() + chunks.back().size() - samples.data());
           chunks.push_back(samples.subspan(begin, nodes * bytes_of(precision_)));
           starts.push_back(coordinates(band, i, p, s, 0));
         }
@@ -136,7 +145,7 @@ class Hdf5Table : public TableWriter {
       std::vector<double> values;
       for (const auto& band : bands)
         for (std::size_t k = 0; k < band.normalization.value[0].size(); ++k) values.push_back(value_at(band, k));
-      const Hdf5Handle variable = create_variable(name, dimensions, H5T_IEEE_F64LE, "1", long_name, Hdf5Handle(H5Pcreate(H5P_DATASET_CREATE), name));
+      const Hdf5Handle variable = create_variable(name, dimensions, H5T_IEEE_F64LE, "1", long_name, dataset_properties());
       hdf5_check(H5Dwrite(variable, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), path_.string());
     };
     for (std::size_t lobe = 0; lobe < 3; ++lobe)
@@ -206,7 +215,8 @@ class Hdf5Table : public TableWriter {
                     std::string_view standard_name) {
     const hsize_t count = nodes.size();
     const Hdf5Handle space(H5Screate_simple(1, &count, nullptr), name);
-    Hdf5Handle dataset(H5Dcreate2(file_, name.c_str(), H5T_IEEE_F64LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), name);
+    Hdf5Handle dataset(H5Dcreate2(file_, name.c_str(), H5T_IEEE_F64LE, space, H5P_DEFAULT, dataset_properties(), H5P_DEFAULT),
+                       name);
     hdf5_check(H5Dwrite(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, nodes.data()), path_.string());
     hdf5_check(H5DSset_scale(dataset, name.c_str()), name);
     write_attribute(dataset, "units", units);
@@ -218,15 +228,16 @@ class Hdf5Table : public TableWriter {
 
   Hdf5Handle create_samples(Polarization polarization) {
     const std::string light(polarization_names[static_cast<std::size_t>(polarization)]);
-    return create_variable(std::string(brdf_name(polarization)), dimensions_, stored_type(precision_), "sr-1",
-                           fmt::format("bidirectional reflectance distribution function, {}",
-                                       polarization == Polarization::unpolarized ? "unpolarised light" : light + "-polarised light"),
-                           sample_storage());
+    return create_variable(
+        std::string(brdf_name(polarization)), dimensions_, stored_type(precision_), "sr-1",
+        fmt::format("bidirectional reflectance distribution function, {}",
+                    polarization == Polarization::unpolarized ? "unpolarised light" : light + "-polarised light"),
+        sample_storage());
   }
 
   // Every node is written, so nothing is filled. What is not compressed is contiguous and allocated at once.
   Hdf5Handle sample_storage() const {
-    Hdf5Handle creation(H5Pcreate(H5P_DATASET_CREATE), "dataset properties");
+    Hdf5Handle creation = dataset_properties();
     hdf5_check(H5Pset_fill_time(creation, H5D_FILL_TIME_NEVER), "fill time");
     if (chunk_) {
       const auto shape = coordinates(1, chunk_->theta_i, chunk_->phi_i, chunk_->theta_s, sizes_.at("phi_s"));

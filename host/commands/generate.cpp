@@ -163,9 +163,10 @@ std::function<ExitStatus()> generate_command(CLI::App& parser, const CommonOptio
       ->check(CLI::IsMember({"unpolarized", "s", "p", "all"}));
   parser.add_option("--precision", options->precision, "Samples as float32 (default) or float64")
       ->check(CLI::IsMember({"float32", "float64"}));
-  parser.add_option("--compress", options->compress,
-                    "deflate or deflate:LEVEL, 1 (default, fastest) to 12: HDF5 chunks, shuffled and deflated, that any reader "
-                    "opens without a plug-in")
+  parser
+      .add_option("--compress", options->compress,
+                  "deflate or deflate:LEVEL, 1 (default, fastest) to 12: HDF5 chunks, shuffled and deflated, that any reader "
+                  "opens without a plug-in")
       ->type_name("deflate[:LEVEL]");
   parser.add_flag("--force", options->force, "Overwrite an existing table");
   add_device_option(parser, options->device);
