@@ -5,6 +5,7 @@
 
 #include "host/error.hpp"
 #include "host/interrupt.hpp"
+#include "host/mantissa.hpp"
 #include "host/partial_file.hpp"
 #include "host/plan.hpp"
 #include "host/progress.hpp"
@@ -71,7 +72,9 @@ GenerateSummary generate(const Engine& engine, const Material& material, const G
       for (std::size_t polarization = 0; polarization < options.polarizations.size(); ++polarization)
         for (const Slab& slab : cuts) {
           stop_if_interrupted();
-          plan.tabulate(slab, options.polarizations[polarization], ring.acquire());
+          const cl::Buffer& filled = ring.acquire();
+          plan.tabulate(slab, options.polarizations[polarization], filled);
+          if (options.storage.keep_bits) round_mantissas(engine, slab, filled, *options.storage.keep_bits);
           const auto mapped = ring.map(slab.nodes() * node_bytes);
           plan.check(slab, mapped);
           spot_check.take(polarization, band, slab, mapped);
@@ -91,7 +94,8 @@ GenerateSummary generate(const Engine& engine, const Material& material, const G
     ring.drain();
   }
   findings.accuracy = spot_check.compare();
-  const double promised = engine.table() == Precision::float64 ? promised_float64 : promised_float32;
+  double promised = engine.table() == Precision::float64 ? promised_float64 : promised_float32;
+  if (options.storage.keep_bits) promised += (1 + promised) * rounding_error(*options.storage.keep_bits);
   if (engine.working() == Precision::float64 && !(findings.accuracy.max_relative_error <= promised))
     throw Error(ExitStatus::check_failed,
                 "{}: not written: a sample differs from the scalar reference by {:.1e}, more than {:.0e}; the device or its "

@@ -9,6 +9,7 @@
 #include "host/chunk_deflater.hpp"
 #include "host/error.hpp"
 #include "host/hdf5_handle.hpp"
+#include "host/mantissa.hpp"
 #include "host/switches.hpp"
 
 namespace brdftab {
@@ -64,7 +65,10 @@ class Hdf5Table : public TableWriter {
                                                : "");
       dimensions_.emplace_back(axis->row().name);
     }
-    for (const Polarization polarization : content.polarizations) samples_.push_back(create_samples(polarization));
+    for (const Polarization polarization : content.polarizations) {
+      samples_.push_back(create_samples(polarization));
+      if (content.storage.keep_bits) write_rounding(samples_.back(), *content.storage.keep_bits);
+    }
     // A killed run leaves a file that opens and whose written part reads.
     hdf5_check(H5Fflush(file_, H5F_SCOPE_LOCAL), path_.string());
   }
@@ -115,6 +119,11 @@ class Hdf5Table : public TableWriter {
     std::vector<hsize_t> result{theta_i, phi_i, theta_s, phi_s};
     if (dimensions_.size() == 5) result.insert(result.begin(), wavelength);
     return result;
+  }
+
+  static void write_rounding(hid_t object, int keep_bits) {
+    write_attribute(object, "keep_bits", static_cast<double>(keep_bits));
+    write_attribute(object, "keep_bits_relative_error", rounding_error(keep_bits));
   }
 
   void write_chunks(hid_t dataset, std::size_t band, const Slab& slab, std::span<const std::byte> samples) {
@@ -209,6 +218,7 @@ class Hdf5Table : public TableWriter {
     text("device", content.device);
     text("build_options", content.build_options);
     text("working_precision", name_of(content.working));
+    if (content.storage.keep_bits) write_rounding(root, *content.storage.keep_bits);
   }
 
   void create_scale(const std::string& name, std::span<const double> nodes, std::string_view units, std::string_view long_name,

@@ -8,6 +8,7 @@
 
 #include "host/commands/command.hpp"
 #include "host/hdf5_table.hpp"
+#include "host/mantissa.hpp"
 #include "host/numbers.hpp"
 
 namespace brdftab {
@@ -23,6 +24,7 @@ struct Options {
   std::string polarization = "unpolarized";
   std::string precision = "float32";
   std::optional<std::string> compress;
+  std::optional<int> keep_bits;
   std::optional<std::string> device;
   bool force = false;
 };
@@ -97,6 +99,9 @@ std::string storage_text(const TableStorage& storage, const GenerateSummary& sum
 ExitStatus run(const Options& options, const CommonOptions& common) {
   TableStorage storage;
   if (options.compress) storage.deflate_level = parse_compression(*options.compress);
+  const Precision precision = options.precision == "float64" ? Precision::float64 : Precision::float32;
+  if (options.keep_bits) check_keep_bits(*options.keep_bits, precision);
+  storage.keep_bits = options.keep_bits;
   std::error_code error;
   const bool is_folder = fs::is_directory(options.output, error);
   const bool folder = options.materials.size() > 1 || options.output.ends_with('/') || is_folder;
@@ -125,7 +130,6 @@ ExitStatus run(const Options& options, const CommonOptions& common) {
     tasks.push_back({std::move(material), std::move(grid), target});
   }
   const Device device = select_device(options.device);
-  const Precision precision = options.precision == "float64" ? Precision::float64 : Precision::float32;
   const Engine engine(device, Engine::widest(device), precision);
   GenerateOptions generate_options;
   generate_options.polarizations = polarizations(options.polarization);
@@ -168,6 +172,10 @@ std::function<ExitStatus()> generate_command(CLI::App& parser, const CommonOptio
                   "deflate or deflate:LEVEL, 1 (default, fastest) to 12: HDF5 chunks, shuffled and deflated, that any reader "
                   "opens without a plug-in")
       ->type_name("deflate[:LEVEL]");
+  parser.add_option(
+      "--keep-bits", options->keep_bits,
+      "Round each sample to so many explicit mantissa bits, to nearest even: 1 to 23 for float32, to 52 for float64. "
+      "Relative error at most 2^-(N+1); 12 bits (1.2e-4) compress about three times as well");
   parser.add_flag("--force", options->force, "Overwrite an existing table");
   add_device_option(parser, options->device);
   return [options, &common] { return run(*options, common); };
