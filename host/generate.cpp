@@ -32,10 +32,11 @@ void naming(const std::filesystem::path& target, Work work) {
 
 }  // namespace
 
-GenerateSummary generate(const Engine& engine, const Material& material, const Grid& grid, const std::filesystem::path& target,
-                         const CreateTable& create, const GenerateOptions& options) {
+GenerateSummary generate(const Engine& engine, const Material& material, const Grid& dense_grid,
+                         const std::filesystem::path& target, const CreateTable& create, const GenerateOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   const std::size_t node_bytes = bytes_of(engine.table());
+  const Grid grid = stored_grid(dense_grid, options.storage);
   const long double wanted = static_cast<long double>(grid.theta_i.size()) * grid.phi_i.size() * grid.theta_s.size() *
                              grid.phi_s.size() * material.bands().size() * options.polarizations.size();
   if (wanted > most_samples)
@@ -48,6 +49,7 @@ GenerateSummary generate(const Engine& engine, const Material& material, const G
 
   const TableContent content{.material = material,
                              .grid = grid,
+                             .dense_grid = dense_grid,
                              .polarizations = options.polarizations,
                              .precision = engine.table(),
                              .working = engine.working(),
@@ -106,7 +108,8 @@ GenerateSummary generate(const Engine& engine, const Material& material, const G
   const std::size_t file_bytes = std::filesystem::file_size(file.path());
   file.commit();
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-  return {samples, samples * node_bytes, file_bytes, elapsed.count(), std::move(findings)};
+  const std::size_t dense = samples / grid.directions() * dense_grid.directions();
+  return {dense, dense * node_bytes, file_bytes, elapsed.count(), std::move(findings)};
 }
 
 }  // namespace brdftab

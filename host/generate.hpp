@@ -23,7 +23,7 @@ struct GenerateOptions {
 };
 
 struct GenerateSummary {
-  std::size_t samples;
+  std::size_t samples;  // of the table that readers see, like its bytes
   std::size_t bytes;
   std::size_t file_bytes;
   double seconds;
@@ -34,7 +34,7 @@ using CreateTable = std::function<std::unique_ptr<TableWriter>(const std::filesy
 
 /// Writes the table beside `target` and renames it when it is complete; peak memory does not depend on its size.
 /// Throws BadInput where a node is not finite, FileError where writing fails, Error (130) when interrupted.
-GenerateSummary generate(const Engine& engine, const Material& material, const Grid& grid, const std::filesystem::path& target,
-                         const CreateTable& create, const GenerateOptions& options);
+GenerateSummary generate(const Engine& engine, const Material& material, const Grid& dense_grid,
+                         const std::filesystem::path& target, const CreateTable& create, const GenerateOptions& options);
 
 }  // namespace brdftab

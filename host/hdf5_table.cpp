@@ -9,6 +9,7 @@
 #include "host/chunk_deflater.hpp"
 #include "host/error.hpp"
 #include "host/hdf5_handle.hpp"
+#include "host/hdf5_view.hpp"
 #include "host/mantissa.hpp"
 #include "host/switches.hpp"
 
@@ -26,7 +27,7 @@ Hdf5Handle dataset_properties() {
 }
 
 // netCDF and h5netcdf keep the order of creation, and can append, only if the root tracks it.
-Hdf5Handle create_file(const std::filesystem::path& path) {
+Hdf5Handle create_file(const std::filesystem::path& path, Layout layout) {
   const Hdf5Handle creation(H5Pcreate(H5P_FILE_CREATE), "HDF5 file properties");
   const unsigned order = H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED;
   hdf5_check(H5Pset_link_creation_order(creation, order), "link order");
@@ -35,19 +36,20 @@ Hdf5Handle create_file(const std::filesystem::path& path) {
   hdf5_check(H5Pset_obj_track_times(creation, false), "object times");
   const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), "HDF5 file properties");
   // Since 1.8 an attribute may exceed 64 KiB, as a material's text may.
-  hdf5_check(H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V18), "HDF5 version");
+  // Views came with 1.10.
+  const auto newest = layout == Layout::virtual_view ? H5F_LIBVER_V110 : H5F_LIBVER_V18;
+  hdf5_check(H5Pset_libver_bounds(access, H5F_LIBVER_V18, newest), "HDF5 version");
   return Hdf5Handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, access), path.string());
 }
 
 class Hdf5Table : public TableWriter {
  public:
   Hdf5Table(const std::filesystem::path& path, const TableContent& content)
-      : path_(path), precision_(content.precision), file_(create_file(path)) {
-    if (const int level = content.storage.deflate_level; level > 0) {
+      : path_(path), precision_(content.precision), storage_(content.storage), file_(create_file(path, content.storage.layout)) {
+    if (storage_.deflate_level > 0) {
       chunk_ = chunk_shape(content.grid, bytes_of(precision_));
-      deflate_level_ = level;
       const std::size_t nodes = chunk_->theta_i * chunk_->phi_i * chunk_->theta_s * content.grid.phi_s.size();
-      deflater_.emplace(nodes * bytes_of(precision_), bytes_of(precision_), level);
+      deflater_.emplace(nodes * bytes_of(precision_), bytes_of(precision_), storage_.deflate_level);
     }
     write_root_attributes(content);
     if (content.material.has_wavelengths()) {
@@ -56,7 +58,7 @@ class Hdf5Table : public TableWriter {
       create_scale("wavelength", wavelengths, "nm", "wavelength", "radiation_wavelength");
       dimensions_.push_back("wavelength");
     }
-    const Grid& grid = content.grid;
+    const Grid& grid = content.dense_grid;
     for (const Axis* axis : {&grid.theta_i, &grid.phi_i, &grid.theta_s, &grid.phi_s}) {
       const auto kind = axis->row().kind;
       create_scale(std::string(axis->row().name), axis->nodes(), "degree", axis->row().long_name,
@@ -65,9 +67,16 @@ class Hdf5Table : public TableWriter {
                                                : "");
       dimensions_.emplace_back(axis->row().name);
     }
+    stored_dimensions_ = dimensions_;
+    if (storage_.layout == Layout::virtual_view) {
+      const std::string long_name = "azimuth of scatter from that of incidence, phi_s - phi_i; its period is 360 degrees";
+      create_scale("phi", content.grid.phi_s.nodes(), "degree", long_name, "");
+      stored_dimensions_.erase(stored_dimensions_.end() - 3);
+      stored_dimensions_.back() = "phi";
+    }
     for (const Polarization polarization : content.polarizations) {
       samples_.push_back(create_samples(polarization));
-      if (content.storage.keep_bits) write_rounding(samples_.back(), *content.storage.keep_bits);
+      if (storage_.layout == Layout::virtual_view) create_view(polarization, grid);
     }
     // A killed run leaves a file that opens and whose written part reads.
     hdf5_check(H5Fflush(file_, H5F_SCOPE_LOCAL), path_.string());
@@ -116,7 +125,8 @@ class Hdf5Table : public TableWriter {
  private:
   // Of the samples' dimensions.
   std::vector<hsize_t> coordinates(hsize_t wavelength, hsize_t theta_i, hsize_t phi_i, hsize_t theta_s, hsize_t phi_s) const {
-    std::vector<hsize_t> result{theta_i, phi_i, theta_s, phi_s};
+    std::vector<hsize_t> result{theta_i, theta_s, phi_s};
+    if (storage_.layout == Layout::contiguous) result.insert(result.begin() + 1, phi_i);
     if (dimensions_.size() == 5) result.insert(result.begin(), wavelength);
     return result;
   }
@@ -236,13 +246,37 @@ class Hdf5Table : public TableWriter {
     scales_.emplace(name, std::move(dataset));
   }
 
-  Hdf5Handle create_samples(Polarization polarization) {
+  Hdf5Handle create_brdf(Polarization polarization, const std::string& name, const std::vector<std::string>& dimensions,
+                         const Hdf5Handle& creation) {
     const std::string light(polarization_names[static_cast<std::size_t>(polarization)]);
-    return create_variable(
-        std::string(brdf_name(polarization)), dimensions_, stored_type(precision_), "sr-1",
-        fmt::format("bidirectional reflectance distribution function, {}",
-                    polarization == Polarization::unpolarized ? "unpolarised light" : light + "-polarised light"),
-        sample_storage());
+    Hdf5Handle dataset =
+        create_variable(name, dimensions, stored_type(precision_), "sr-1",
+                        fmt::format("bidirectional reflectance distribution function, {}",
+                                    polarization == Polarization::unpolarized ? "unpolarised light" : light + "-polarised light"),
+                        creation);
+    if (storage_.keep_bits) write_rounding(dataset, *storage_.keep_bits);
+    return dataset;
+  }
+
+  std::string stored_name(Polarization polarization) const {
+    return fmt::format("{}{}", brdf_name(polarization), storage_.layout == Layout::virtual_view ? "_relative" : "");
+  }
+
+  Hdf5Handle create_samples(Polarization polarization) {
+    return create_brdf(polarization, stored_name(polarization), stored_dimensions_, sample_storage());
+  }
+
+  void create_view(Polarization polarization, const Grid& grid) {
+    const Hdf5Handle creation = dataset_properties();
+    set_view(creation, shape_of(dimensions_), stored_name(polarization), shape_of(stored_dimensions_),
+             relative_azimuth(grid.phi_i, grid.phi_s).pieces);
+    create_brdf(polarization, std::string(brdf_name(polarization)), dimensions_, creation);
+  }
+
+  std::vector<hsize_t> shape_of(const std::vector<std::string>& dimensions) const {
+    std::vector<hsize_t> shape;
+    for (const auto& dimension : dimensions) shape.push_back(sizes_.at(dimension));
+    return shape;
   }
 
   // Every node is written, so nothing is filled. What is not compressed is contiguous and allocated at once.
@@ -250,11 +284,11 @@ class Hdf5Table : public TableWriter {
     Hdf5Handle creation = dataset_properties();
     hdf5_check(H5Pset_fill_time(creation, H5D_FILL_TIME_NEVER), "fill time");
     if (chunk_) {
-      const auto shape = coordinates(1, chunk_->theta_i, chunk_->phi_i, chunk_->theta_s, sizes_.at("phi_s"));
+      const auto shape = coordinates(1, chunk_->theta_i, chunk_->phi_i, chunk_->theta_s, sizes_.at(stored_dimensions_.back()));
       hdf5_check(H5Pset_chunk(creation, static_cast<int>(shape.size()), shape.data()), "chunks");
       hdf5_check(H5Pset_shuffle(creation), "shuffle");
       // For information only: zlib has no level above 9.
-      hdf5_check(H5Pset_deflate(creation, static_cast<unsigned>(std::min(deflate_level_, 9))), "deflate");
+      hdf5_check(H5Pset_deflate(creation, static_cast<unsigned>(std::min(storage_.deflate_level, 9))), "deflate");
     } else {
       hdf5_check(H5Pset_alloc_time(creation, H5D_ALLOC_TIME_EARLY), "allocation time");
     }
@@ -263,8 +297,7 @@ class Hdf5Table : public TableWriter {
 
   Hdf5Handle create_variable(const std::string& name, const std::vector<std::string>& dimensions, hid_t type,
                              std::string_view units, const std::string& long_name, const Hdf5Handle& creation) {
-    std::vector<hsize_t> shape;
-    for (const auto& dimension : dimensions) shape.push_back(sizes_.at(dimension));
+    const std::vector<hsize_t> shape = shape_of(dimensions);
     const Hdf5Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), name);
     Hdf5Handle dataset(H5Dcreate2(file_, name.c_str(), type, space, H5P_DEFAULT, creation, H5P_DEFAULT), path_.string());
     for (unsigned k = 0; k < dimensions.size(); ++k) hdf5_check(H5DSattach_scale(dataset, scales_.at(dimensions[k]), k), name);
@@ -275,13 +308,14 @@ class Hdf5Table : public TableWriter {
 
   std::filesystem::path path_;
   Precision precision_;
+  TableStorage storage_;
   Hdf5Handle file_;
   std::vector<std::string> dimensions_;
+  std::vector<std::string> stored_dimensions_;
   std::map<std::string, hsize_t> sizes_;
   std::map<std::string, Hdf5Handle> scales_;
   std::vector<Hdf5Handle> samples_;
   std::optional<Chunk> chunk_;
-  int deflate_level_ = 0;
   std::optional<ChunkDeflater> deflater_;
 };
 

@@ -30,7 +30,8 @@ struct Accuracy {
 /// The samples' frame; what the integrals and checks add comes at the end.
 struct TableContent {
   const Material& material;
-  const Grid& grid;
+  const Grid& grid;        // of the samples that are stored
+  const Grid& dense_grid;  // of the table that readers see
   std::vector<Polarization> polarizations;
   Precision precision;
   Precision working;

@@ -2,8 +2,14 @@
 
 #include "host/error.hpp"
 #include "host/numbers.hpp"
+#include "host/relative_azimuth.hpp"
 
 namespace brdftab {
+
+Grid stored_grid(const Grid& dense, const TableStorage& storage) {
+  if (storage.layout == Layout::contiguous) return dense;
+  return {dense.theta_i, Axis(AxisKind::phi_i, {0}), dense.theta_s, relative_azimuth(dense.phi_i, dense.phi_s).phi};
+}
 
 int parse_compression(std::string_view text) {
   constexpr std::string_view method = "deflate";

@@ -25,6 +25,7 @@ struct Options {
   std::string precision = "float32";
   std::optional<std::string> compress;
   std::optional<int> keep_bits;
+  std::string layout = "contiguous";
   std::optional<std::string> device;
   bool force = false;
 };
@@ -91,7 +92,7 @@ fs::path file_in_folder(const fs::path& folder, const std::string& material, con
 
 // How a table that is not plain came out smaller.
 std::string storage_text(const TableStorage& storage, const GenerateSummary& summary) {
-  if (storage.deflate_level == 0) return {};
+  if (storage.deflate_level == 0 && storage.layout == Layout::contiguous) return {};
   return fmt::format(" as {:.3g} MB (ratio {:.2f})", static_cast<double>(summary.file_bytes) / 1e6,
                      static_cast<double>(summary.bytes) / static_cast<double>(summary.file_bytes));
 }
@@ -102,6 +103,7 @@ ExitStatus run(const Options& options, const CommonOptions& common) {
   const Precision precision = options.precision == "float64" ? Precision::float64 : Precision::float32;
   if (options.keep_bits) check_keep_bits(*options.keep_bits, precision);
   storage.keep_bits = options.keep_bits;
+  if (options.layout == "virtual") storage.layout = Layout::virtual_view;
   std::error_code error;
   const bool is_folder = fs::is_directory(options.output, error);
   const bool folder = options.materials.size() > 1 || options.output.ends_with('/') || is_folder;
@@ -127,6 +129,7 @@ ExitStatus run(const Options& options, const CommonOptions& common) {
     if (!options.force && fs::exists(fs::symlink_status(target, error)))
       throw FileError("{}: exists; --force overwrites it", target.string());
     Grid grid = grid_for(material, options);
+    stored_grid(grid, storage);
     tasks.push_back({std::move(material), std::move(grid), target});
   }
   const Device device = select_device(options.device);
@@ -176,6 +179,11 @@ std::function<ExitStatus()> generate_command(CLI::App& parser, const CommonOptio
       "--keep-bits", options->keep_bits,
       "Round each sample to so many explicit mantissa bits, to nearest even: 1 to 23 for float32, to 52 for float64. "
       "Relative error at most 2^-(N+1); 12 bits (1.2e-4) compress about three times as well");
+  parser
+      .add_option("--layout", options->layout,
+                  "contiguous (default), or virtual: store f over theta_i, theta_s and phi_s - phi_i, and show the table of four "
+                  "angles as a view of it, smaller by about the number of phi_i; readers take HDF5 1.10 or later")
+      ->check(CLI::IsMember({"contiguous", "virtual"}));
   parser.add_flag("--force", options->force, "Overwrite an existing table");
   add_device_option(parser, options->device);
   return [options, &common] { return run(*options, common); };
