@@ -6,8 +6,8 @@
 #include <map>
 #include <optional>
 
-#include "host/chunk_deflater.hpp"
 #include "host/error.hpp"
+#include "host/hdf5_chunks.hpp"
 #include "host/hdf5_handle.hpp"
 #include "host/hdf5_view.hpp"
 #include "host/mantissa.hpp"
@@ -38,7 +38,7 @@ Hdf5Handle create_file(const std::filesystem::path& path, Layout layout) {
   // Since 1.8 an attribute may exceed 64 KiB, as a material's text may.
   // Views came with 1.10.
   const auto newest = layout == Layout::virtual_view ? H5F_LIBVER_V110 : H5F_LIBVER_V18;
-  hdf5_check(H5Pset_libver_bounds(access, H5F_LIBVER_V18, newest), "HDF5 version");
+  hdf5_check(H5Pset_libver_bounds(access, newest, newest), "HDF5 version");
   return Hdf5Handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, access), path.string());
 }
 
@@ -46,11 +46,7 @@ class Hdf5Table : public TableWriter {
  public:
   Hdf5Table(const std::filesystem::path& path, const TableContent& content)
       : path_(path), precision_(content.precision), storage_(content.storage), file_(create_file(path, content.storage.layout)) {
-    if (storage_.deflate_level > 0) {
-      chunk_ = chunk_shape(content.grid, bytes_of(precision_));
-      const std::size_t nodes = chunk_->theta_i * chunk_->phi_i * chunk_->theta_s * content.grid.phi_s.size();
-      deflater_.emplace(nodes * bytes_of(precision_), bytes_of(precision_), storage_.deflate_level);
-    }
+    if (storage_.deflate_level > 0) chunks_.emplace(content.grid, bytes_of(precision_), storage_.deflate_level);
     write_root_attributes(content);
     if (content.material.has_wavelengths()) {
       std::vector<double> wavelengths;
@@ -84,8 +80,11 @@ class Hdf5Table : public TableWriter {
 
   void write(std::size_t polarization, std::size_t band, const Slab& slab, std::span<const std::byte> samples) override {
     const Hdf5Handle& dataset = samples_[polarization];
-    if (chunk_) {
-      write_chunks(dataset, band, slab, samples);
+    if (chunks_) {
+      const auto position = [&](const Slab& chunk) {
+        return coordinates(band, chunk.theta_i.begin, chunk.phi_i.begin, chunk.theta_s.begin, 0);
+      };
+      chunks_->write(dataset, slab, samples, position);
       return;
     }
     const auto start = coordinates(band, slab.theta_i.begin, slab.phi_i.begin, slab.theta_s.begin, 0);
@@ -134,26 +133,6 @@ class Hdf5Table : public TableWriter {
   static void write_rounding(hid_t object, int keep_bits) {
     write_attribute(object, "keep_bits", static_cast<double>(keep_bits));
     write_attribute(object, "keep_bits_relative_error", rounding_error(keep_bits));
-  }
-
-  void write_chunks(hid_t dataset, std::size_t band, const Slab& slab, std::span<const std::byte> samples) {
-    std::vector<std::span<const std::byte>> chunks;
-    std::vector<std::vector<hsize_t>> starts;
-    for (std::size_t i = slab.theta_i.begin; i < slab.theta_i.end; i += chunk_->theta_i)
-      for (std::size_t p = slab.phi_i.begin; p < slab.phi_i.end; p += chunk_->phi_i)
-        for (std::size_t s = slab.theta_s.begin; s < slab.theta_s.end; s += chunk_->theta_s) {
-          // In the table's order chunks follow one another without a gap.
-          const std::size_t nodes = std::min(chunk_->theta_i, slab.theta_i.end - i) *
-                                    std::min(chunk_->phi_i, slab.phi_i.end - p) *
-                                    std::min(chunk_->theta_s, slab.theta_s.end - s) * slab.phi_s;
-          const std::size_t begin =
-              chunks.empty() ? 0 : static_cast<std::size_t>(chunks.back().data() + chunks.back().size() - samples.data());
-          chunks.push_back(samples.subspan(begin, nodes * bytes_of(precision_)));
-          starts.push_back(coordinates(band, i, p, s, 0));
-        }
-    deflater_->deflate(chunks, [&](std::size_t k, ChunkDeflater::Stream stream) {
-      hdf5_check(H5Dwrite_chunk(dataset, H5P_DEFAULT, 0, starts[k].data(), stream.size(), stream.data()), path_.string());
-    });
   }
 
   // One value for each theta_i, and for each wavelength where there are any.
@@ -283,12 +262,10 @@ class Hdf5Table : public TableWriter {
   Hdf5Handle sample_storage() const {
     Hdf5Handle creation = dataset_properties();
     hdf5_check(H5Pset_fill_time(creation, H5D_FILL_TIME_NEVER), "fill time");
-    if (chunk_) {
-      const auto shape = coordinates(1, chunk_->theta_i, chunk_->phi_i, chunk_->theta_s, sizes_.at(stored_dimensions_.back()));
-      hdf5_check(H5Pset_chunk(creation, static_cast<int>(shape.size()), shape.data()), "chunks");
-      hdf5_check(H5Pset_shuffle(creation), "shuffle");
-      // For information only: zlib has no level above 9.
-      hdf5_check(H5Pset_deflate(creation, static_cast<unsigned>(std::min(storage_.deflate_level, 9))), "deflate");
+    if (chunks_) {
+      const Chunk& chunk = chunks_->shape();
+      chunks_->set_filters(creation,
+                           coordinates(1, chunk.theta_i, chunk.phi_i, chunk.theta_s, shape_of(stored_dimensions_).back()));
     } else {
       hdf5_check(H5Pset_alloc_time(creation, H5D_ALLOC_TIME_EARLY), "allocation time");
     }
@@ -315,8 +292,7 @@ class Hdf5Table : public TableWriter {
   std::map<std::string, hsize_t> sizes_;
   std::map<std::string, Hdf5Handle> scales_;
   std::vector<Hdf5Handle> samples_;
-  std::optional<Chunk> chunk_;
-  std::optional<ChunkDeflater> deflater_;
+  std::optional<Hdf5Chunks> chunks_;
 };
 
 }  // namespace

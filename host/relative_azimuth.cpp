@@ -24,9 +24,8 @@ std::vector<double> differences(double phi_i, const Axis& phi_s) {
 
 [[noreturn]] void refuse(const std::string& why) {
   throw BadInput(
-      "--layout virtual: {}; the steps of phi_i and phi_s must be even and whole multiples of each other, and binary numbers "
-      "hold "
-      "whole degrees, 0.5, 0.25, 0.125 exactly, but not 0.1",
+      "--layout virtual: {}; a view takes even steps of phi_i and phi_s that binary numbers hold exactly, such as whole degrees, "
+      "0.5 or 0.25, but not 0.1",
       why);
 }
 
@@ -36,7 +35,8 @@ Axis distinct_differences(const Axis& phi_i, const Axis& phi_s) {
     std::vector<double> row = differences(i, phi_s);
     std::sort(row.begin(), row.end());
     row.erase(std::unique(row.begin(), row.end()), row.end());
-    if (std::includes(all.begin(), all.end(), row.begin(), row.end())) continue;
+    if (std::all_of(row.begin(), row.end(), [&](double phi) { return std::binary_search(all.begin(), all.end(), phi); }))
+      continue;
     std::vector<double> merged;
     std::set_union(all.begin(), all.end(), row.begin(), row.end(), std::back_inserter(merged));
     all = std::move(merged);

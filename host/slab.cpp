@@ -3,15 +3,13 @@
 #include <algorithm>
 
 namespace brdftab {
-namespace {
 
-std::vector<Range> pieces(std::size_t size, std::size_t longest) {
+std::vector<Range> pieces(Range whole, std::size_t longest) {
   std::vector<Range> result;
-  for (std::size_t begin = 0; begin < size; begin += longest) result.push_back({begin, std::min(begin + longest, size)});
+  for (std::size_t begin = whole.begin; begin < whole.end; begin += longest)
+    result.push_back({begin, std::min(begin + longest, whole.end)});
   return result;
 }
-
-}  // namespace
 
 std::vector<Slab> slabs(const Grid& grid, std::size_t most_nodes, const Chunk& chunk) {
   const std::size_t row = grid.phi_s.size();
@@ -23,9 +21,9 @@ std::vector<Slab> slabs(const Grid& grid, std::size_t most_nodes, const Chunk& c
   const std::size_t phi_i = incidence <= most_nodes ? grid.phi_i.size() : whole_chunks(most_nodes / slice, chunk.phi_i);
   const std::size_t theta_s = slice <= most_nodes ? grid.theta_s.size() : whole_chunks(most_nodes / row, chunk.theta_s);
   std::vector<Slab> result;
-  for (const Range i : pieces(grid.theta_i.size(), theta_i))
-    for (const Range p : pieces(grid.phi_i.size(), phi_i))
-      for (const Range s : pieces(grid.theta_s.size(), theta_s)) result.push_back({i, p, s, row});
+  for (const Range i : pieces({0, grid.theta_i.size()}, theta_i))
+    for (const Range p : pieces({0, grid.phi_i.size()}, phi_i))
+      for (const Range s : pieces({0, grid.theta_s.size()}, theta_s)) result.push_back({i, p, s, row});
   return result;
 }
 

@@ -17,6 +17,9 @@ struct Range {
   bool operator==(const Range&) const = default;
 };
 
+/// Cuts a range into pieces of `longest`, the last of what is left.
+std::vector<Range> pieces(Range whole, std::size_t longest);
+
 /// Nodes of one dataset and band: a box over the first three angles, all of phi_s.
 struct Slab {
   Range theta_i;
