@@ -129,7 +129,11 @@ ExitStatus run(const Options& options, const CommonOptions& common) {
     if (!options.force && fs::exists(fs::symlink_status(target, error)))
       throw FileError("{}: exists; --force overwrites it", target.string());
     Grid grid = grid_for(material, options);
-    stored_grid(grid, storage);
+    try {
+      stored_grid(grid, storage);
+    } catch (const BadInput& refusal) {
+      throw BadInput("{}: {}", file, refusal.what());
+    }
     tasks.push_back({std::move(material), std::move(grid), target});
   }
   const Device device = select_device(options.device);
