@@ -36,13 +36,15 @@ GenerateSummary generate(const Engine& engine, const Material& material, const G
                          const std::filesystem::path& target, const CreateTable& create, const GenerateOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   const std::size_t node_bytes = bytes_of(engine.table());
-  const Grid grid = stored_grid(dense_grid, options.storage);
-  const long double wanted = static_cast<long double>(grid.theta_i.size()) * grid.phi_i.size() * grid.theta_s.size() *
-                             grid.phi_s.size() * material.bands().size() * options.polarizations.size();
+  const std::size_t datasets = material.bands().size() * options.polarizations.size();
+  const long double wanted = static_cast<long double>(dense_grid.theta_i.size()) * dense_grid.phi_i.size() *
+                             dense_grid.theta_s.size() * dense_grid.phi_s.size() * datasets;
   if (wanted > most_samples)
     throw BadInput("{}: the table would have {:.3g} samples: at most {:.0e} are allowed", target.string(),
                    static_cast<double>(wanted), most_samples);
-  const auto samples = static_cast<std::size_t>(wanted);
+  const auto dense = static_cast<std::size_t>(wanted);
+  const Grid grid = stored_grid(dense_grid, options.storage);
+  const std::size_t samples = grid.directions() * datasets;
   PartialFile file(target, options.force);
   // What compression leaves is not known before.
   if (options.storage.deflate_level == 0) file.require_space(samples * node_bytes);
@@ -108,7 +110,6 @@ GenerateSummary generate(const Engine& engine, const Material& material, const G
   const std::size_t file_bytes = std::filesystem::file_size(file.path());
   file.commit();
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-  const std::size_t dense = samples / grid.directions() * dense_grid.directions();
   return {dense, dense * node_bytes, file_bytes, elapsed.count(), std::move(findings)};
 }
 

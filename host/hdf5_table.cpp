@@ -79,6 +79,8 @@ class Hdf5Table : public TableWriter {
   }
 
   void write(std::size_t polarization, std::size_t band, const Slab& slab, std::span<const std::byte> samples) override {
+    // HDF5 keeps a stack of errors for each thread, and the writer's is not that of the table's creator.
+    hdf5_quiet();
     const Hdf5Handle& dataset = samples_[polarization];
     if (chunks_) {
       const auto position = [&](const Slab& chunk) {

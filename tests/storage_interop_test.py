@@ -1,6 +1,7 @@
 """Compressed, rounded and virtual tables: what others' tools read from them is what the plain table holds."""
 
 import json
+import os
 import pathlib
 import subprocess
 import tempfile
@@ -10,7 +11,7 @@ import h5py
 import numpy
 import xarray
 
-from program import BAD_INPUT, DONE, SMALL_GRID, VINYL, InFolder, run
+from program import BAD_INPUT, DONE, FILE, SMALL_GRID, VINYL, InFolder, run
 
 GRID = ["--theta-i", "0:80:20", "--phi-i", "0:355:5", "--theta-s", "0:85:5", "--phi-s", "0:360:5"]
 STORAGES = {"plain": [], "deflate": ["--compress", "deflate"], "strongest": ["--compress", "deflate:12"], "view": ["--layout", "virtual"],
@@ -115,7 +116,9 @@ class SameSamples(unittest.TestCase):
         self.assertIn("chunked, 5 x 18 x 72 nodes each, shuffle, deflate 6: ", text["deflated-view"])
         described = json.loads(run("info", "--json", self.folder / "deflated-view.h5").stdout)["variables"]
         self.assertEqual(described["brdf"]["storage"], {"layout": "virtual", "view_of": "brdf_relative", "bytes": 0})
-        self.assertEqual(described["brdf_relative"]["storage"]["filters"], ["shuffle", "deflate 6"])
+        stored = described["brdf_relative"]["storage"]
+        self.assertEqual(stored["filters"], ["shuffle", "deflate 6"])
+        self.assertAlmostEqual(stored["ratio"], 5 * 18 * 72 * 4 / stored["bytes"])
 
 
 class KeptBits(InFolder):
@@ -164,6 +167,15 @@ class Refusals(InFolder):
             result = run("generate", VINYL, "-o", self.folder / "t.h5", *SMALL_GRID, *arguments)
             self.assert_refused(result, BAD_INPUT, *parts)
             self.assertEqual(list(self.folder.iterdir()), [])
+
+    def test_a_disk_that_fills(self):
+        mount = ["mount", "-t", "tmpfs", "-o", "size=200k", "tmpfs", str(self.folder)]
+        if os.geteuid() != 0 or subprocess.run(mount, capture_output=True).returncode != 0:
+            self.skipTest("mounting a small tmpfs takes root")
+        self.addCleanup(subprocess.run, ["umount", str(self.folder)])
+        result = run("generate", VINYL, "-o", self.folder / "t.h5", *GRID, "--compress", "deflate", "--precision", "float64")
+        self.assert_refused(result, FILE, self.folder / "t.h5", "cannot be written: brdf: No space left on device")
+        self.assertEqual(list(self.folder.iterdir()), [])
 
     def test_grids_that_are_no_view(self):
         for phi_i, phi_s, *parts in (("0:20:10", "0:360:0.1", "phi_i = ", "not 0.1"), ("0:359:1", "0:360:0.01", "whole degrees"),

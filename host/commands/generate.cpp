@@ -186,7 +186,8 @@ std::function<ExitStatus()> generate_command(CLI::App& parser, const CommonOptio
   parser
       .add_option("--layout", options->layout,
                   "contiguous (default), or virtual: store f over theta_i, theta_s and phi_s - phi_i, and show the table of four "
-                  "angles as a view of it, smaller by about the number of phi_i; readers take HDF5 1.10 or later")
+                  "angles as a view of it, smaller by about the number of phi_i; takes even steps of phi_i and phi_s; readers "
+                  "take HDF5 1.10 or later")
       ->check(CLI::IsMember({"contiguous", "virtual"}));
   parser.add_flag("--force", options->force, "Overwrite an existing table");
   add_device_option(parser, options->device);

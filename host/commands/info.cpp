@@ -62,6 +62,7 @@ nlohmann::ordered_json storage_json(const Hdf5Storage& storage) {
   if (!storage.filters.empty()) entry["filters"] = storage.filters;
   if (!storage.view_of.empty()) entry["view_of"] = storage.view_of;
   entry["bytes"] = storage.bytes;
+  if (storage.ratio > 0) entry["ratio"] = storage.ratio;
   return entry;
 }
 
