@@ -35,8 +35,8 @@ Hdf5Handle create_file(const std::filesystem::path& path, Layout layout) {
   // The same table is the same bytes, whenever it is made.
   hdf5_check(H5Pset_obj_track_times(creation, false), "object times");
   const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), "HDF5 file properties");
-  // Since 1.8 an attribute may exceed 64 KiB, as a material's text may.
-  // Views came with 1.10.
+  // Since 1.8 an attribute may exceed 64 KiB, as a material's text may. Views, and a short form of the strided
+  // selections that they may take, came with 1.10.
   const auto newest = layout == Layout::virtual_view ? H5F_LIBVER_V110 : H5F_LIBVER_V18;
   hdf5_check(H5Pset_libver_bounds(access, newest, newest), "HDF5 version");
   return Hdf5Handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, access), path.string());

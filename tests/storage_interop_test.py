@@ -106,7 +106,9 @@ class SameSamples(unittest.TestCase):
             if name == "plain":
                 self.assertNotIn("ratio", self.talk[name])
             else:
-                self.assertIn(f"(ratio {self.expected.nbytes / size[name]:.2f})", self.talk[name])
+                self.assertIn(f"(ratio {self.expected.nbytes / size[name]:.2f}: ", self.talk[name])
+        self.assertIn("deflate 12 in chunks of 1 theta_i x 36 phi_i x 18 theta_s x 73 phi_s)", self.talk["strongest"])
+        self.assertIn("a view over phi_s - phi_i; deflate 6 in chunks of 5 theta_i x 18 theta_s x 72 phi)", self.talk["deflated-view"])
 
     def test_info(self):
         text = {name: run("info", self.folder / f"{name}.h5").stdout for name in STORAGES}
@@ -151,7 +153,8 @@ class KeptBits(InFolder):
                     numpy.testing.assert_array_equal(tables[0][0], exact)
 
     def test_info(self):
-        run("generate", VINYL, "-o", self.folder / "t.h5", *SMALL_GRID, "--keep-bits", "12")
+        talk = run("generate", VINYL, "-o", self.folder / "t.h5", *SMALL_GRID, "--keep-bits", "12").stderr
+        self.assertIn(": 12 mantissa bits)", talk)
         self.assertRegex(run("info", self.folder / "t.h5").stdout, r"keep_bits +12\n +keep_bits_relative_error +0.0001220703125\n")
 
 

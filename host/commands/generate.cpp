@@ -90,11 +90,12 @@ fs::path file_in_folder(const fs::path& folder, const std::string& material, con
   return folder / (name + std::string(format.extensions.front()));
 }
 
-// How a table that is not plain came out smaller.
-std::string storage_text(const TableStorage& storage, const GenerateSummary& summary) {
-  if (storage.deflate_level == 0 && storage.layout == Layout::contiguous) return {};
-  return fmt::format(" as {:.3g} MB (ratio {:.2f})", static_cast<double>(summary.file_bytes) / 1e6,
-                     static_cast<double>(summary.bytes) / static_cast<double>(summary.file_bytes));
+// How a table that is not plain came out.
+std::string size_text(const TableStorage& storage, const Grid& grid, Precision precision, const GenerateSummary& summary) {
+  const std::string notes = storage_text(storage, grid, precision);
+  if (notes.empty()) return {};
+  return fmt::format(" as {:.3g} MB (ratio {:.2f}: {})", static_cast<double>(summary.file_bytes) / 1e6,
+                     static_cast<double>(summary.bytes) / static_cast<double>(summary.file_bytes), notes);
 }
 
 ExitStatus run(const Options& options, const CommonOptions& common) {
@@ -147,12 +148,13 @@ ExitStatus run(const Options& options, const CommonOptions& common) {
   for (const Task& task : tasks) {
     const auto summary = generate(engine, task.material, task.grid, task.target, format.create, generate_options);
     const Accuracy& accuracy = summary.findings.accuracy;
-    say(common, fmt::format("{}: {} samples, {:.3g} MB{} in {:.2f} s; {}", task.target.string(), summary.samples,
-                            static_cast<double>(summary.bytes) / 1e6, storage_text(storage, summary), summary.seconds,
-                            accuracy.nodes == 0
-                                ? "no node large enough to be checked against the scalar reference"
-                                : fmt::format("largest relative error at {} nodes checked against the scalar reference {:.1e}",
-                                              accuracy.nodes, accuracy.max_relative_error)));
+    say(common,
+        fmt::format("{}: {} samples, {:.3g} MB{} in {:.2f} s; {}", task.target.string(), summary.samples,
+                    static_cast<double>(summary.bytes) / 1e6, size_text(storage, task.grid, precision, summary), summary.seconds,
+                    accuracy.nodes == 0
+                        ? "no node large enough to be checked against the scalar reference"
+                        : fmt::format("largest relative error at {} nodes checked against the scalar reference {:.1e}",
+                                      accuracy.nodes, accuracy.max_relative_error)));
     for (const auto& warning : summary.findings.energy_warnings) say(common, "warning: " + warning);
   }
   return ExitStatus::done;
