@@ -5,6 +5,7 @@
 
 #include "host/error.hpp"
 #include "host/interrupt.hpp"
+#include "host/mantissa.hpp"
 #include "host/partial_file.hpp"
 #include "host/plan.hpp"
 #include "host/progress.hpp"
@@ -31,28 +32,35 @@ void naming(const std::filesystem::path& target, Work work) {
 
 }  // namespace
 
-GenerateSummary generate(const Engine& engine, const Material& material, const Grid& grid, const std::filesystem::path& target,
-                         const CreateTable& create, const GenerateOptions& options) {
+GenerateSummary generate(const Engine& engine, const Material& material, const Grid& dense_grid,
+                         const std::filesystem::path& target, const CreateTable& create, const GenerateOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   const std::size_t node_bytes = bytes_of(engine.table());
-  const long double wanted = static_cast<long double>(grid.theta_i.size()) * grid.phi_i.size() * grid.theta_s.size() *
-                             grid.phi_s.size() * material.bands().size() * options.polarizations.size();
+  const std::size_t datasets = material.bands().size() * options.polarizations.size();
+  const long double wanted = static_cast<long double>(dense_grid.theta_i.size()) * dense_grid.phi_i.size() *
+                             dense_grid.theta_s.size() * dense_grid.phi_s.size() * datasets;
   if (wanted > most_samples)
     throw BadInput("{}: the table would have {:.3g} samples: at most {:.0e} are allowed", target.string(),
                    static_cast<double>(wanted), most_samples);
-  const auto samples = static_cast<std::size_t>(wanted);
+  const auto dense = static_cast<std::size_t>(wanted);
+  const Grid grid = stored_grid(dense_grid, options.storage);
+  const std::size_t samples = grid.directions() * datasets;
   PartialFile file(target, options.force);
-  file.require_space(samples * node_bytes);
+  // What compression leaves is not known before.
+  if (options.storage.deflate_level == 0) file.require_space(samples * node_bytes);
 
   const TableContent content{.material = material,
                              .grid = grid,
+                             .dense_grid = dense_grid,
                              .polarizations = options.polarizations,
                              .precision = engine.table(),
                              .working = engine.working(),
+                             .storage = options.storage,
                              .device = engine.device().description(),
                              .build_options = engine.build_options(),
                              .history = options.history};
-  const auto cuts = slabs(grid, std::max<std::size_t>(options.slab_bytes / node_bytes, 1));
+  const Chunk chunk = options.storage.deflate_level > 0 ? chunk_shape(grid, node_bytes) : Chunk{};
+  const auto cuts = slabs(grid, std::max<std::size_t>(options.slab_bytes / node_bytes, 1), chunk);
   const std::size_t largest =
       std::max_element(cuts.begin(), cuts.end(), [](const Slab& a, const Slab& b) { return a.nodes() < b.nodes(); })->nodes();
   TableFindings findings;
@@ -68,7 +76,9 @@ GenerateSummary generate(const Engine& engine, const Material& material, const G
       for (std::size_t polarization = 0; polarization < options.polarizations.size(); ++polarization)
         for (const Slab& slab : cuts) {
           stop_if_interrupted();
-          plan.tabulate(slab, options.polarizations[polarization], ring.acquire());
+          const cl::Buffer& filled = ring.acquire();
+          plan.tabulate(slab, options.polarizations[polarization], filled);
+          if (options.storage.keep_bits) round_mantissas(engine, slab, filled, *options.storage.keep_bits);
           const auto mapped = ring.map(slab.nodes() * node_bytes);
           plan.check(slab, mapped);
           spot_check.take(polarization, band, slab, mapped);
@@ -88,7 +98,8 @@ GenerateSummary generate(const Engine& engine, const Material& material, const G
     ring.drain();
   }
   findings.accuracy = spot_check.compare();
-  const double promised = engine.table() == Precision::float64 ? promised_float64 : promised_float32;
+  double promised = engine.table() == Precision::float64 ? promised_float64 : promised_float32;
+  if (options.storage.keep_bits) promised += (1 + promised) * rounding_error(*options.storage.keep_bits);
   if (engine.working() == Precision::float64 && !(findings.accuracy.max_relative_error <= promised))
     throw Error(ExitStatus::check_failed,
                 "{}: not written: a sample differs from the scalar reference by {:.1e}, more than {:.0e}; the device or its "
@@ -96,9 +107,10 @@ GenerateSummary generate(const Engine& engine, const Material& material, const G
                 target.string(), findings.accuracy.max_relative_error, promised);
   stop_if_interrupted();
   naming(target, [&] { writer->finish(findings); });
+  const std::size_t file_bytes = std::filesystem::file_size(file.path());
   file.commit();
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-  return {samples, samples * node_bytes, elapsed.count(), std::move(findings)};
+  return {dense, dense * node_bytes, file_bytes, elapsed.count(), std::move(findings)};
 }
 
 }  // namespace brdftab

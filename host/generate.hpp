@@ -8,12 +8,14 @@
 
 #include "host/engine.hpp"
 #include "host/material.hpp"
+#include "host/table_storage.hpp"
 #include "host/table_writer.hpp"
 
 namespace brdftab {
 
 struct GenerateOptions {
   std::vector<Polarization> polarizations{Polarization::unpolarized};
+  TableStorage storage;
   bool quiet = false;
   bool force = false;
   std::string history;
@@ -21,8 +23,9 @@ struct GenerateOptions {
 };
 
 struct GenerateSummary {
-  std::size_t samples;
+  std::size_t samples;  // of the table that readers see, like its bytes
   std::size_t bytes;
+  std::size_t file_bytes;
   double seconds;
   TableFindings findings;
 };
@@ -31,7 +34,7 @@ using CreateTable = std::function<std::unique_ptr<TableWriter>(const std::filesy
 
 /// Writes the table beside `target` and renames it when it is complete; peak memory does not depend on its size.
 /// Throws BadInput where a node is not finite, FileError where writing fails, Error (130) when interrupted.
-GenerateSummary generate(const Engine& engine, const Material& material, const Grid& grid, const std::filesystem::path& target,
-                         const CreateTable& create, const GenerateOptions& options);
+GenerateSummary generate(const Engine& engine, const Material& material, const Grid& dense_grid,
+                         const std::filesystem::path& target, const CreateTable& create, const GenerateOptions& options);
 
 }  // namespace brdftab

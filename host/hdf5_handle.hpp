@@ -35,7 +35,7 @@ class Hdf5Handle {
 /// Throws FileError if an HDF5 call failed; `what` says what was attempted.
 void hdf5_check(herr_t status, std::string_view what);
 
-/// Silences HDF5's own printing of its error stack, for the life of the process.
+/// Silences HDF5's own printing of its error stack, for the life of this thread.
 void hdf5_quiet();
 
 void write_attribute(hid_t object, const std::string& name, std::string_view text);

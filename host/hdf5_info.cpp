@@ -92,7 +92,8 @@ VariableInfo variable_of(hid_t file, const std::string& name) {
                         .units = has_text_attribute(dataset, "units") ? read_text_attribute(dataset, "units") : "",
                         .long_name = has_text_attribute(dataset, "long_name") ? read_text_attribute(dataset, "long_name") : "",
                         .is_axis = H5DSis_scale(dataset) > 0,
-                        .values = {}};
+                        .values = {},
+                        .storage = storage_of(dataset)};
   variable.dimensions = variable.is_axis ? std::vector{name} : dimensions_of(dataset, variable.shape.size());
   if (variable.shape.size() == 1) {
     variable.values.resize(variable.shape[0]);

@@ -6,6 +6,8 @@
 #include <variant>
 #include <vector>
 
+#include "host/hdf5_storage.hpp"
+
 namespace brdftab {
 
 using AttributeValue = std::variant<std::string, double, std::vector<double>>;
@@ -24,6 +26,7 @@ struct VariableInfo {
   std::string long_name;
   bool is_axis;
   std::vector<double> values;  // of one-dimensional variables
+  Hdf5Storage storage;
 };
 
 struct TableInfo {

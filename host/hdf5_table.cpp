@@ -2,10 +2,15 @@
 
 #include <hdf5_hl.h>
 
+#include <algorithm>
 #include <map>
+#include <optional>
 
 #include "host/error.hpp"
+#include "host/hdf5_chunks.hpp"
 #include "host/hdf5_handle.hpp"
+#include "host/hdf5_view.hpp"
+#include "host/mantissa.hpp"
 #include "host/switches.hpp"
 
 namespace brdftab {
@@ -15,22 +20,33 @@ hid_t stored_type(Precision precision) { return precision == Precision::float64 
 
 hid_t memory_type(Precision precision) { return precision == Precision::float64 ? H5T_NATIVE_DOUBLE : H5T_NATIVE_FLOAT; }
 
+Hdf5Handle dataset_properties() {
+  Hdf5Handle creation(H5Pcreate(H5P_DATASET_CREATE), "dataset properties");
+  hdf5_check(H5Pset_obj_track_times(creation, false), "object times");
+  return creation;
+}
+
 // netCDF and h5netcdf keep the order of creation, and can append, only if the root tracks it.
-Hdf5Handle create_file(const std::filesystem::path& path) {
+Hdf5Handle create_file(const std::filesystem::path& path, Layout layout) {
   const Hdf5Handle creation(H5Pcreate(H5P_FILE_CREATE), "HDF5 file properties");
   const unsigned order = H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED;
   hdf5_check(H5Pset_link_creation_order(creation, order), "link order");
   hdf5_check(H5Pset_attr_creation_order(creation, order), "attribute order");
+  // The same table is the same bytes, whenever it is made.
+  hdf5_check(H5Pset_obj_track_times(creation, false), "object times");
   const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), "HDF5 file properties");
-  // Since 1.8 an attribute may exceed 64 KiB, as a material's text may.
-  hdf5_check(H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V18), "HDF5 version");
+  // Since 1.8 an attribute may exceed 64 KiB, as a material's text may. Views, and a short form of the strided
+  // selections that they may take, came with 1.10.
+  const auto newest = layout == Layout::virtual_view ? H5F_LIBVER_V110 : H5F_LIBVER_V18;
+  hdf5_check(H5Pset_libver_bounds(access, newest, newest), "HDF5 version");
   return Hdf5Handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, access), path.string());
 }
 
 class Hdf5Table : public TableWriter {
  public:
   Hdf5Table(const std::filesystem::path& path, const TableContent& content)
-      : path_(path), precision_(content.precision), file_(create_file(path)) {
+      : path_(path), precision_(content.precision), storage_(content.storage), file_(create_file(path, content.storage.layout)) {
+    if (storage_.deflate_level > 0) chunks_.emplace(content.grid, bytes_of(precision_), storage_.deflate_level);
     write_root_attributes(content);
     if (content.material.has_wavelengths()) {
       std::vector<double> wavelengths;
@@ -38,7 +54,7 @@ class Hdf5Table : public TableWriter {
       create_scale("wavelength", wavelengths, "nm", "wavelength", "radiation_wavelength");
       dimensions_.push_back("wavelength");
     }
-    const Grid& grid = content.grid;
+    const Grid& grid = content.dense_grid;
     for (const Axis* axis : {&grid.theta_i, &grid.phi_i, &grid.theta_s, &grid.phi_s}) {
       const auto kind = axis->row().kind;
       create_scale(std::string(axis->row().name), axis->nodes(), "degree", axis->row().long_name,
@@ -47,24 +63,34 @@ class Hdf5Table : public TableWriter {
                                                : "");
       dimensions_.emplace_back(axis->row().name);
     }
-    for (const Polarization polarization : content.polarizations)
-      samples_.push_back(create_variable(std::string(brdf_name(polarization)), dimensions_, stored_type(precision_), "sr-1",
-                                         polarization == Polarization::unpolarized
-                                             ? "bidirectional reflectance distribution function, unpolarised light"
-                                             : fmt::format("bidirectional reflectance distribution function, {}-polarised light",
-                                                           polarization_names[static_cast<std::size_t>(polarization)])));
+    stored_dimensions_ = dimensions_;
+    if (storage_.layout == Layout::virtual_view) {
+      const std::string long_name = "azimuth of scatter from that of incidence, phi_s - phi_i; its period is 360 degrees";
+      create_scale("phi", content.grid.phi_s.nodes(), "degree", long_name, "");
+      stored_dimensions_.erase(stored_dimensions_.end() - 3);
+      stored_dimensions_.back() = "phi";
+    }
+    for (const Polarization polarization : content.polarizations) {
+      samples_.push_back(create_samples(polarization));
+      if (storage_.layout == Layout::virtual_view) create_view(polarization, grid);
+    }
     // A killed run leaves a file that opens and whose written part reads.
     hdf5_check(H5Fflush(file_, H5F_SCOPE_LOCAL), path_.string());
   }
 
   void write(std::size_t polarization, std::size_t band, const Slab& slab, std::span<const std::byte> samples) override {
-    std::vector<hsize_t> start{slab.theta_i.begin, slab.phi_i.begin, slab.theta_s.begin, 0};
-    std::vector<hsize_t> count{slab.theta_i.size(), slab.phi_i.size(), slab.theta_s.size(), slab.phi_s};
-    if (dimensions_.size() == 5) {
-      start.insert(start.begin(), band);
-      count.insert(count.begin(), 1);
-    }
+    // HDF5 keeps a stack of errors for each thread, and the writer's is not that of the table's creator.
+    hdf5_quiet();
     const Hdf5Handle& dataset = samples_[polarization];
+    if (chunks_) {
+      const auto position = [&](const Slab& chunk) {
+        return coordinates(band, chunk.theta_i.begin, chunk.phi_i.begin, chunk.theta_s.begin, 0);
+      };
+      chunks_->write(dataset, slab, samples, position);
+      return;
+    }
+    const auto start = coordinates(band, slab.theta_i.begin, slab.phi_i.begin, slab.theta_s.begin, 0);
+    const auto count = coordinates(1, slab.theta_i.size(), slab.phi_i.size(), slab.theta_s.size(), slab.phi_s);
     const Hdf5Handle space(H5Dget_space(dataset), "brdf");
     hdf5_check(H5Sselect_hyperslab(space, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr), "brdf");
     const hsize_t nodes = slab.nodes();
@@ -98,6 +124,19 @@ class Hdf5Table : public TableWriter {
   }
 
  private:
+  // Of the samples' dimensions.
+  std::vector<hsize_t> coordinates(hsize_t wavelength, hsize_t theta_i, hsize_t phi_i, hsize_t theta_s, hsize_t phi_s) const {
+    std::vector<hsize_t> result{theta_i, theta_s, phi_s};
+    if (storage_.layout == Layout::contiguous) result.insert(result.begin() + 1, phi_i);
+    if (dimensions_.size() == 5) result.insert(result.begin(), wavelength);
+    return result;
+  }
+
+  static void write_rounding(hid_t object, int keep_bits) {
+    write_attribute(object, "keep_bits", static_cast<double>(keep_bits));
+    write_attribute(object, "keep_bits_relative_error", rounding_error(keep_bits));
+  }
+
   // One value for each theta_i, and for each wavelength where there are any.
   void write_integrals(const std::vector<Integrals>& bands) {
     std::vector<std::string> dimensions{"theta_i"};
@@ -106,7 +145,7 @@ class Hdf5Table : public TableWriter {
       std::vector<double> values;
       for (const auto& band : bands)
         for (std::size_t k = 0; k < band.normalization.value[0].size(); ++k) values.push_back(value_at(band, k));
-      const Hdf5Handle variable = create_variable(name, dimensions, H5T_IEEE_F64LE, "1", long_name);
+      const Hdf5Handle variable = create_variable(name, dimensions, H5T_IEEE_F64LE, "1", long_name, dataset_properties());
       hdf5_check(H5Dwrite(variable, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), path_.string());
     };
     for (std::size_t lobe = 0; lobe < 3; ++lobe)
@@ -170,13 +209,15 @@ class Hdf5Table : public TableWriter {
     text("device", content.device);
     text("build_options", content.build_options);
     text("working_precision", name_of(content.working));
+    if (content.storage.keep_bits) write_rounding(root, *content.storage.keep_bits);
   }
 
   void create_scale(const std::string& name, std::span<const double> nodes, std::string_view units, std::string_view long_name,
                     std::string_view standard_name) {
     const hsize_t count = nodes.size();
     const Hdf5Handle space(H5Screate_simple(1, &count, nullptr), name);
-    Hdf5Handle dataset(H5Dcreate2(file_, name.c_str(), H5T_IEEE_F64LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), name);
+    Hdf5Handle dataset(H5Dcreate2(file_, name.c_str(), H5T_IEEE_F64LE, space, H5P_DEFAULT, dataset_properties(), H5P_DEFAULT),
+                       name);
     hdf5_check(H5Dwrite(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, nodes.data()), path_.string());
     hdf5_check(H5DSset_scale(dataset, name.c_str()), name);
     write_attribute(dataset, "units", units);
@@ -186,15 +227,57 @@ class Hdf5Table : public TableWriter {
     scales_.emplace(name, std::move(dataset));
   }
 
-  // Contiguous, allocated now and never filled: every node is written.
-  Hdf5Handle create_variable(const std::string& name, const std::vector<std::string>& dimensions, hid_t type,
-                             std::string_view units, const std::string& long_name) {
+  Hdf5Handle create_brdf(Polarization polarization, const std::string& name, const std::vector<std::string>& dimensions,
+                         const Hdf5Handle& creation) {
+    const std::string light(polarization_names[static_cast<std::size_t>(polarization)]);
+    Hdf5Handle dataset =
+        create_variable(name, dimensions, stored_type(precision_), "sr-1",
+                        fmt::format("bidirectional reflectance distribution function, {}",
+                                    polarization == Polarization::unpolarized ? "unpolarised light" : light + "-polarised light"),
+                        creation);
+    if (storage_.keep_bits) write_rounding(dataset, *storage_.keep_bits);
+    return dataset;
+  }
+
+  std::string stored_name(Polarization polarization) const {
+    return fmt::format("{}{}", brdf_name(polarization), storage_.layout == Layout::virtual_view ? "_relative" : "");
+  }
+
+  Hdf5Handle create_samples(Polarization polarization) {
+    return create_brdf(polarization, stored_name(polarization), stored_dimensions_, sample_storage());
+  }
+
+  void create_view(Polarization polarization, const Grid& grid) {
+    const Hdf5Handle creation = dataset_properties();
+    set_view(creation, shape_of(dimensions_), stored_name(polarization), shape_of(stored_dimensions_),
+             relative_azimuth(grid.phi_i, grid.phi_s).pieces);
+    create_brdf(polarization, std::string(brdf_name(polarization)), dimensions_, creation);
+  }
+
+  std::vector<hsize_t> shape_of(const std::vector<std::string>& dimensions) const {
     std::vector<hsize_t> shape;
     for (const auto& dimension : dimensions) shape.push_back(sizes_.at(dimension));
+    return shape;
+  }
+
+  // Every node is written, so nothing is filled. What is not compressed is contiguous and allocated at once.
+  Hdf5Handle sample_storage() const {
+    Hdf5Handle creation = dataset_properties();
+    hdf5_check(H5Pset_fill_time(creation, H5D_FILL_TIME_NEVER), "fill time");
+    if (chunks_) {
+      const Chunk& chunk = chunks_->shape();
+      chunks_->set_filters(creation,
+                           coordinates(1, chunk.theta_i, chunk.phi_i, chunk.theta_s, shape_of(stored_dimensions_).back()));
+    } else {
+      hdf5_check(H5Pset_alloc_time(creation, H5D_ALLOC_TIME_EARLY), "allocation time");
+    }
+    return creation;
+  }
+
+  Hdf5Handle create_variable(const std::string& name, const std::vector<std::string>& dimensions, hid_t type,
+                             std::string_view units, const std::string& long_name, const Hdf5Handle& creation) {
+    const std::vector<hsize_t> shape = shape_of(dimensions);
     const Hdf5Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), name);
-    const Hdf5Handle creation(H5Pcreate(H5P_DATASET_CREATE), name);
-    hdf5_check(H5Pset_alloc_time(creation, H5D_ALLOC_TIME_EARLY), name);
-    hdf5_check(H5Pset_fill_time(creation, H5D_FILL_TIME_NEVER), name);
     Hdf5Handle dataset(H5Dcreate2(file_, name.c_str(), type, space, H5P_DEFAULT, creation, H5P_DEFAULT), path_.string());
     for (unsigned k = 0; k < dimensions.size(); ++k) hdf5_check(H5DSattach_scale(dataset, scales_.at(dimensions[k]), k), name);
     write_attribute(dataset, "units", units);
@@ -204,11 +287,14 @@ class Hdf5Table : public TableWriter {
 
   std::filesystem::path path_;
   Precision precision_;
+  TableStorage storage_;
   Hdf5Handle file_;
   std::vector<std::string> dimensions_;
+  std::vector<std::string> stored_dimensions_;
   std::map<std::string, hsize_t> sizes_;
   std::map<std::string, Hdf5Handle> scales_;
   std::vector<Hdf5Handle> samples_;
+  std::optional<Hdf5Chunks> chunks_;
 };
 
 }  // namespace

@@ -3,28 +3,27 @@
 #include <algorithm>
 
 namespace brdftab {
-namespace {
 
-std::vector<Range> pieces(std::size_t size, std::size_t longest) {
+std::vector<Range> pieces(Range whole, std::size_t longest) {
   std::vector<Range> result;
-  for (std::size_t begin = 0; begin < size; begin += longest) result.push_back({begin, std::min(begin + longest, size)});
+  for (std::size_t begin = whole.begin; begin < whole.end; begin += longest)
+    result.push_back({begin, std::min(begin + longest, whole.end)});
   return result;
 }
 
-}  // namespace
-
-std::vector<Slab> slabs(const Grid& grid, std::size_t most_nodes) {
+std::vector<Slab> slabs(const Grid& grid, std::size_t most_nodes, const Chunk& chunk) {
   const std::size_t row = grid.phi_s.size();
   const std::size_t slice = row * grid.theta_s.size();
   const std::size_t incidence = slice * grid.phi_i.size();
+  const auto whole_chunks = [](std::size_t nodes, std::size_t step) { return std::max(nodes - nodes % step, step); };
   // A dimension is cut only where everything inside it does not fit, so a slab is contiguous.
-  const std::size_t theta_i = std::max<std::size_t>(most_nodes / incidence, 1);
-  const std::size_t phi_i = incidence <= most_nodes ? grid.phi_i.size() : std::max<std::size_t>(most_nodes / slice, 1);
-  const std::size_t theta_s = slice <= most_nodes ? grid.theta_s.size() : std::max<std::size_t>(most_nodes / row, 1);
+  const std::size_t theta_i = whole_chunks(most_nodes / incidence, chunk.theta_i);
+  const std::size_t phi_i = incidence <= most_nodes ? grid.phi_i.size() : whole_chunks(most_nodes / slice, chunk.phi_i);
+  const std::size_t theta_s = slice <= most_nodes ? grid.theta_s.size() : whole_chunks(most_nodes / row, chunk.theta_s);
   std::vector<Slab> result;
-  for (const Range i : pieces(grid.theta_i.size(), theta_i))
-    for (const Range p : pieces(grid.phi_i.size(), phi_i))
-      for (const Range s : pieces(grid.theta_s.size(), theta_s)) result.push_back({i, p, s, row});
+  for (const Range i : pieces({0, grid.theta_i.size()}, theta_i))
+    for (const Range p : pieces({0, grid.phi_i.size()}, phi_i))
+      for (const Range s : pieces({0, grid.theta_s.size()}, theta_s)) result.push_back({i, p, s, row});
   return result;
 }
 

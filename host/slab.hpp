@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "host/axis.hpp"
+#include "host/chunk.hpp"
 
 namespace brdftab {
 
@@ -16,6 +17,9 @@ struct Range {
   bool operator==(const Range&) const = default;
 };
 
+/// Cuts a range into pieces of `longest`, the last of what is left.
+std::vector<Range> pieces(Range whole, std::size_t longest);
+
 /// Nodes of one dataset and band: a box over the first three angles, all of phi_s.
 struct Slab {
   Range theta_i;
@@ -25,7 +29,8 @@ struct Slab {
   std::size_t nodes() const { return theta_i.size() * phi_i.size() * theta_s.size() * phi_s; }
 };
 
-/// Cuts a grid, in the table's order, into slabs of at most `most_nodes` (or one row of phi_s).
-std::vector<Slab> slabs(const Grid& grid, std::size_t most_nodes);
+/// Cuts a grid, in the table's order, into slabs of whole chunks and at most `most_nodes` (or one chunk). Without a chunk,
+/// rows of phi_s are not cut.
+std::vector<Slab> slabs(const Grid& grid, std::size_t most_nodes, const Chunk& chunk = {});
 
 }  // namespace brdftab

@@ -8,6 +8,7 @@
 #include "host/material.hpp"
 #include "host/polarization.hpp"
 #include "host/precision.hpp"
+#include "host/table_storage.hpp"
 
 namespace brdftab {
 
@@ -29,10 +30,12 @@ struct Accuracy {
 /// The samples' frame; what the integrals and checks add comes at the end.
 struct TableContent {
   const Material& material;
-  const Grid& grid;
+  const Grid& grid;        // of the samples that are stored
+  const Grid& dense_grid;  // of the table that readers see
   std::vector<Polarization> polarizations;
   Precision precision;
   Precision working;
+  TableStorage storage;
   std::string device;
   std::string build_options;
   std::string history;

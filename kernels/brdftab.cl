@@ -6,4 +6,5 @@
 #else
 #include "integrals.cl"
 #include "tabulate.cl"
+#include "mantissa.cl"
 #endif

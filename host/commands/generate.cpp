@@ -8,6 +8,7 @@
 
 #include "host/commands/command.hpp"
 #include "host/hdf5_table.hpp"
+#include "host/mantissa.hpp"
 #include "host/numbers.hpp"
 
 namespace brdftab {
@@ -22,6 +23,9 @@ struct Options {
   std::optional<std::string> axes[4];
   std::string polarization = "unpolarized";
   std::string precision = "float32";
+  std::optional<std::string> compress;
+  std::optional<int> keep_bits;
+  std::string layout = "contiguous";
   std::optional<std::string> device;
   bool force = false;
 };
@@ -86,7 +90,21 @@ fs::path file_in_folder(const fs::path& folder, const std::string& material, con
   return folder / (name + std::string(format.extensions.front()));
 }
 
+// How a table that is not plain came out.
+std::string size_text(const TableStorage& storage, const Grid& grid, Precision precision, const GenerateSummary& summary) {
+  const std::string notes = storage_text(storage, grid, precision);
+  if (notes.empty()) return {};
+  return fmt::format(" as {:.3g} MB (ratio {:.2f}: {})", static_cast<double>(summary.file_bytes) / 1e6,
+                     static_cast<double>(summary.bytes) / static_cast<double>(summary.file_bytes), notes);
+}
+
 ExitStatus run(const Options& options, const CommonOptions& common) {
+  TableStorage storage;
+  if (options.compress) storage.deflate_level = parse_compression(*options.compress);
+  const Precision precision = options.precision == "float64" ? Precision::float64 : Precision::float32;
+  if (options.keep_bits) check_keep_bits(*options.keep_bits, precision);
+  storage.keep_bits = options.keep_bits;
+  if (options.layout == "virtual") storage.layout = Layout::virtual_view;
   std::error_code error;
   const bool is_folder = fs::is_directory(options.output, error);
   const bool folder = options.materials.size() > 1 || options.output.ends_with('/') || is_folder;
@@ -112,25 +130,31 @@ ExitStatus run(const Options& options, const CommonOptions& common) {
     if (!options.force && fs::exists(fs::symlink_status(target, error)))
       throw FileError("{}: exists; --force overwrites it", target.string());
     Grid grid = grid_for(material, options);
+    try {
+      stored_grid(grid, storage);
+    } catch (const BadInput& refusal) {
+      throw BadInput("{}: {}", file, refusal.what());
+    }
     tasks.push_back({std::move(material), std::move(grid), target});
   }
   const Device device = select_device(options.device);
-  const Precision precision = options.precision == "float64" ? Precision::float64 : Precision::float32;
   const Engine engine(device, Engine::widest(device), precision);
   GenerateOptions generate_options;
   generate_options.polarizations = polarizations(options.polarization);
+  generate_options.storage = storage;
   generate_options.quiet = common.quiet;
   generate_options.force = options.force;
   generate_options.history = history(common);
   for (const Task& task : tasks) {
     const auto summary = generate(engine, task.material, task.grid, task.target, format.create, generate_options);
     const Accuracy& accuracy = summary.findings.accuracy;
-    say(common, fmt::format("{}: {} samples, {:.3g} MB in {:.2f} s; {}", task.target.string(), summary.samples,
-                            static_cast<double>(summary.bytes) / 1e6, summary.seconds,
-                            accuracy.nodes == 0
-                                ? "no node large enough to be checked against the scalar reference"
-                                : fmt::format("largest relative error at {} nodes checked against the scalar reference {:.1e}",
-                                              accuracy.nodes, accuracy.max_relative_error)));
+    say(common,
+        fmt::format("{}: {} samples, {:.3g} MB{} in {:.2f} s; {}", task.target.string(), summary.samples,
+                    static_cast<double>(summary.bytes) / 1e6, size_text(storage, task.grid, precision, summary), summary.seconds,
+                    accuracy.nodes == 0
+                        ? "no node large enough to be checked against the scalar reference"
+                        : fmt::format("largest relative error at {} nodes checked against the scalar reference {:.1e}",
+                                      accuracy.nodes, accuracy.max_relative_error)));
     for (const auto& warning : summary.findings.energy_warnings) say(common, "warning: " + warning);
   }
   return ExitStatus::done;
@@ -152,6 +176,21 @@ std::function<ExitStatus()> generate_command(CLI::App& parser, const CommonOptio
       ->check(CLI::IsMember({"unpolarized", "s", "p", "all"}));
   parser.add_option("--precision", options->precision, "Samples as float32 (default) or float64")
       ->check(CLI::IsMember({"float32", "float64"}));
+  parser
+      .add_option("--compress", options->compress,
+                  "deflate or deflate:LEVEL, 1 (default, fastest) to 12: HDF5 chunks, shuffled and deflated, that any reader "
+                  "opens without a plug-in")
+      ->type_name("deflate[:LEVEL]");
+  parser.add_option(
+      "--keep-bits", options->keep_bits,
+      "Round each sample to so many explicit mantissa bits, to nearest even: 1 to 23 for float32, to 52 for float64. "
+      "Relative error at most 2^-(N+1); 12 bits (1.2e-4) compress about three times as well");
+  parser
+      .add_option("--layout", options->layout,
+                  "contiguous (default), or virtual: store f over theta_i, theta_s and phi_s - phi_i, and show the table of four "
+                  "angles as a view of it, smaller by about the number of phi_i; takes even steps of phi_i and phi_s; readers "
+                  "take HDF5 1.10 or later")
+      ->check(CLI::IsMember({"contiguous", "virtual"}));
   parser.add_flag("--force", options->force, "Overwrite an existing table");
   add_device_option(parser, options->device);
   return [options, &common] { return run(*options, common); };

@@ -36,9 +36,11 @@ void print_text(const std::string& name, const TableInfo& info) {
     if (variable.is_axis) fmt::print("  {:<12} {}\n", variable.name, axis_text(variable));
   fmt::print("\nvariables\n");
   for (const auto& variable : info.variables)
-    if (!variable.is_axis)
+    if (!variable.is_axis) {
       fmt::print("  {:<22} {}[{}] {}  {}{}\n", variable.name, variable.type, fmt::join(variable.dimensions, ", "), variable.units,
                  variable.long_name, range_text(variable));
+      if (variable.values.empty()) fmt::print("  {:<22} {}\n", "", variable.storage.text());
+    }
   fmt::print("\nattributes\n");
   for (const auto& attribute : info.attributes) {
     if (const auto* text = std::get_if<std::string>(&attribute.value)) {
@@ -54,6 +56,16 @@ void print_text(const std::string& name, const TableInfo& info) {
     if (attribute.name == "material") fmt::print("\nmaterial\n\n{}\n", std::get<std::string>(attribute.value));
 }
 
+nlohmann::ordered_json storage_json(const Hdf5Storage& storage) {
+  nlohmann::ordered_json entry{{"layout", storage.layout}};
+  if (!storage.chunk.empty()) entry["chunk"] = storage.chunk;
+  if (!storage.filters.empty()) entry["filters"] = storage.filters;
+  if (!storage.view_of.empty()) entry["view_of"] = storage.view_of;
+  entry["bytes"] = storage.bytes;
+  if (storage.ratio > 0) entry["ratio"] = storage.ratio;
+  return entry;
+}
+
 nlohmann::ordered_json as_json(const TableInfo& info) {
   nlohmann::ordered_json root;
   for (const auto& attribute : info.attributes)
@@ -62,6 +74,7 @@ nlohmann::ordered_json as_json(const TableInfo& info) {
     nlohmann::ordered_json entry{{"type", variable.type},   {"dimensions", variable.dimensions}, {"shape", variable.shape},
                                  {"units", variable.units}, {"long_name", variable.long_name},   {"axis", variable.is_axis}};
     if (!variable.values.empty()) entry["values"] = variable.values;
+    if (!variable.is_axis) entry["storage"] = storage_json(variable.storage);
     root["variables"][variable.name] = entry;
   }
   return root;
