@@ -11,6 +11,7 @@
 #include "host/hdf5_handle.hpp"
 #include "host/hdf5_view.hpp"
 #include "host/mantissa.hpp"
+#include "host/page_cache_window.hpp"
 #include "host/switches.hpp"
 
 namespace brdftab {
@@ -42,10 +43,28 @@ Hdf5Handle create_file(const std::filesystem::path& path, Layout layout) {
   return Hdf5Handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, access), path.string());
 }
 
+std::uint64_t sample_bytes(const TableContent& content) {
+  return content.grid.directions() * content.material.bands().size() * content.polarizations.size() * bytes_of(content.precision);
+}
+
+// Nodes before a position, in the order of the dataset.
+std::uint64_t first_node(hid_t dataset, const std::vector<hsize_t>& position) {
+  std::vector<hsize_t> shape(position.size());
+  const Hdf5Handle space(H5Dget_space(dataset), "brdf");
+  H5Sget_simple_extent_dims(space, shape.data(), nullptr);
+  std::uint64_t node = 0;
+  for (std::size_t k = 0; k < shape.size(); ++k) node = node * shape[k] + position[k];
+  return node;
+}
+
 class Hdf5Table : public TableWriter {
  public:
   Hdf5Table(const std::filesystem::path& path, const TableContent& content)
-      : path_(path), precision_(content.precision), storage_(content.storage), file_(create_file(path, content.storage.layout)) {
+      : path_(path),
+        precision_(content.precision),
+        storage_(content.storage),
+        file_(create_file(path, content.storage.layout)),
+        page_cache_(path, sample_bytes(content)) {
     if (storage_.deflate_level > 0) chunks_.emplace(content.grid, bytes_of(precision_), storage_.deflate_level);
     write_root_attributes(content);
     if (content.material.has_wavelengths()) {
@@ -96,6 +115,8 @@ class Hdf5Table : public TableWriter {
     const hsize_t nodes = slab.nodes();
     const Hdf5Handle memory(H5Screate_simple(1, &nodes, nullptr), "brdf");
     hdf5_check(H5Dwrite(dataset, memory_type(precision_), memory, space, H5P_DEFAULT, samples.data()), path_.string());
+    const haddr_t begin = H5Dget_offset(dataset);
+    if (begin != HADDR_UNDEF) page_cache_.written(begin + first_node(dataset, start) * bytes_of(precision_), samples.size());
   }
 
   void finish(const TableFindings& findings) override {
@@ -289,6 +310,7 @@ class Hdf5Table : public TableWriter {
   Precision precision_;
   TableStorage storage_;
   Hdf5Handle file_;
+  PageCacheWindow page_cache_;
   std::vector<std::string> dimensions_;
   std::vector<std::string> stored_dimensions_;
   std::map<std::string, hsize_t> sizes_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 #include "host/error.hpp"
 #include "host/kernels_on_host.hpp"
@@ -14,39 +15,8 @@ namespace {
 // Nodes of working memory that no table is too small for.
 constexpr std::size_t smallest_room = 1 << 20;
 
-// f is even and periodic in phi; both operations are exact. Decimal axes make differences that should be equal differ in
-// their last digits: a float32 table rounds them to 4e-15 rad, which it cannot tell apart, so that rows repeat exactly.
-double folded_azimuth(double phi_i, double phi_s, Precision table) {
-  const double phi = std::abs(std::remainder(phi_s - phi_i, 360.0));
-  constexpr double steps_per_degree = 0x1p42;
-  return table == Precision::float64 ? phi : std::nearbyint(phi * steps_per_degree) / steps_per_degree;
-}
-
-// One long row of azimuths, of which the row of each phi_i is a piece.
-struct Strip {
-  std::vector<double> azimuths;
-  std::vector<int> shift;  // where the row of each phi_i begins
-};
-
-// The strip of rows [phi_i][phi_s], where there is one that is shorter than all of them together.
-std::optional<Strip> strip_of(std::span<const double> rows, std::span<const double> phi_i, std::span<const double> phi_s) {
-  if (phi_i.size() < 2 || phi_s.size() < 2) return std::nullopt;
-  const double step = (phi_s.back() - phi_s.front()) / static_cast<double>(phi_s.size() - 1);
-  const double longest = (phi_i.back() - phi_i.front()) / step;
-  if (longest + static_cast<double>(phi_s.size()) > 0.75 * static_cast<double>(rows.size())) return std::nullopt;
-  Strip strip;
-  for (const double phi : phi_i) strip.shift.push_back(static_cast<int>(std::lround((phi_i.back() - phi) / step)));
-  strip.azimuths.assign(phi_s.size() + static_cast<std::size_t>(strip.shift.front()), -1);
-  for (std::size_t p = 0; p < phi_i.size(); ++p)
-    for (std::size_t x = 0; x < phi_s.size(); ++x) {
-      double& azimuth = strip.azimuths[static_cast<std::size_t>(strip.shift[p]) + x];
-      if (azimuth < 0) azimuth = rows[p * phi_s.size() + x];
-      if (azimuth != rows[p * phi_s.size() + x]) return std::nullopt;
-    }
-  // Gaps between the pieces are not read.
-  std::replace(strip.azimuths.begin(), strip.azimuths.end(), -1.0, 0.0);
-  return strip;
-}
+// f is even and periodic in phi; both operations are exact.
+double folded(double phi) { return std::abs(std::remainder(phi, 360.0)); }
 
 cl_int as_int(std::size_t count) { return static_cast<cl_int>(count); }
 
@@ -59,7 +29,28 @@ std::optional<std::size_t> first_not_finite(std::span<const std::byte> samples) 
   return static_cast<std::size_t>(at - values);
 }
 
+// Decimal axes make differences that should be equal differ in their last digits. A float32 table cannot tell angles of
+// 9e-15 rad apart; a float64 table takes exact ones only.
+std::optional<EvenDifferences> even_differences(const Grid& grid, Precision table) {
+  const auto phi_i = grid.phi_i.nodes();
+  const auto phi_s = grid.phi_s.nodes();
+  if (phi_i.size() < 2 || phi_s.size() < 2) return std::nullopt;
+  const double tolerance = table == Precision::float64 ? 0 : 5e-13;
+  EvenDifferences even{phi_s.front() - phi_i.back(), (phi_s.back() - phi_s.front()) / static_cast<double>(phi_s.size() - 1), {}};
+  for (const double phi : phi_i) {
+    const double shift = std::nearbyint((phi_i.back() - phi) / even.step);
+    if (!(shift <= std::numeric_limits<int>::max() / 2)) return std::nullopt;
+    even.shift.push_back(static_cast<int>(shift));
+    for (std::size_t k = 0; k < phi_s.size(); ++k)
+      if (std::abs((phi_s[k] - phi) - (even.first + (shift + static_cast<double>(k)) * even.step)) > tolerance)
+        return std::nullopt;
+  }
+  return even;
+}
+
 }  // namespace
+
+double EvenDifferences::at(std::size_t k) const { return folded(first + static_cast<double>(k) * step); }
 
 Plan::Plan(const Engine& engine, const Material& material, const Band& band, const Grid& grid)
     : engine_(engine),
@@ -69,6 +60,7 @@ Plan::Plan(const Engine& engine, const Material& material, const Band& band, con
       kernel_material_(band.parameters, material.switches(), engine.working()),
       gaussian_(material.switches().autocovariance == Autocovariance::gaussian),
       integrals_(brdftab::integrals(engine, band, material.switches(), grid.theta_i.nodes())) {
+  even_ = even_differences(grid, engine.table());
   normalization_s_ = material.switches().normalization == Normalization::reciprocal
                          ? normalizations(engine, band, material.switches(), grid.theta_s.nodes()).on_device
                          : engine.upload(std::vector<double>(3 * grid.theta_s.size()));
@@ -102,28 +94,29 @@ bool Plan::combines(const kernels_on_host::PolarTables& incidence, const kernels
 }
 
 std::vector<double> Plan::fold_azimuths(Range phi_i) const {
+  const auto phi_s = grid_.phi_s.nodes();
   std::vector<double> rows;
-  rows.reserve(phi_i.size() * grid_.phi_s.size());
+  rows.reserve(phi_i.size() * phi_s.size());
   for (std::size_t i = phi_i.begin; i < phi_i.end; ++i)
-    for (const double s : grid_.phi_s.nodes()) rows.push_back(folded_azimuth(grid_.phi_i[i], s, engine_.table()));
+    for (std::size_t k = 0; k < phi_s.size(); ++k)
+      rows.push_back(even_ ? even_->at(static_cast<std::size_t>(even_->shift[i]) + k) : folded(phi_s[k] - grid_.phi_i[i]));
   return rows;
 }
 
 void Plan::prepare_azimuths(const Slab& slab) {
   if (azimuths_phi_i_ && azimuths_phi_i_->begin <= slab.phi_i.begin && slab.phi_i.end <= azimuths_phi_i_->end) return;
-  const auto phi_s = grid_.phi_s.nodes();
-  // One strip for all phi_i where it takes no more room than a slab; otherwise the slab's own azimuths.
-  const std::size_t room = std::max(slab.nodes(), smallest_room);
+  // One strip for all phi_i where it is shorter than their rows and takes no more room than a slab; otherwise the rows.
   Range group{0, grid_.phi_i.size()};
-  std::optional<Strip> strip;
-  if (!phi_i_by_slab_ && group.size() * phi_s.size() <= room) {
-    strip = strip_of(fold_azimuths(group), grid_.phi_i.nodes(), phi_s);
-    if (strip && strip->azimuths.size() * slab.theta_i.size() * slab.theta_s.size() > room) strip.reset();
-  }
   std::vector<double> azimuths;
-  if (strip) {
-    azimuths = std::move(strip->azimuths);
-    shift_ = engine_.upload(std::span<const int>(strip->shift));
+  if (even_ && !phi_i_by_slab_) {
+    const std::size_t strip = static_cast<std::size_t>(even_->shift.front()) + grid_.phi_s.size();
+    strip_ = strip * 4 <= group.size() * grid_.phi_s.size() * 3 &&
+             strip * slab.theta_i.size() * slab.theta_s.size() <= std::max(slab.nodes(), smallest_room);
+    if (strip_)
+      for (std::size_t k = 0; k < strip; ++k) azimuths.push_back(even_->at(k));
+  }
+  if (strip_) {
+    shift_ = engine_.upload(std::span<const int>(even_->shift));
   } else {
     phi_i_by_slab_ = true;
     group = slab.phi_i;
@@ -137,7 +130,6 @@ void Plan::prepare_azimuths(const Slab& slab) {
   cos2_half_ = engine_.upload(tables.cos2_half, lobes);
   azimuths_ = azimuths.size();
   azimuths_phi_i_ = group;
-  strip_ = strip.has_value();
   shadowing_theta_s_.reset();
   strips_of_.reset();
 }

@@ -14,6 +14,16 @@
 
 namespace brdftab {
 
+/// phi_s - phi_i on even axes: first + (shift[phi_i] + k) step degrees at node k of phi_s.
+struct EvenDifferences {
+  double first;
+  double step;
+  std::vector<int> shift;
+
+  /// As the model takes it, in [0, 180].
+  double at(std::size_t k) const;
+};
+
 /// For one band of a material. Borrows the engine, the material and the grid.
 class Plan {
  public:
@@ -48,6 +58,7 @@ class Plan {
   bool gaussian_;
   const char* samples_kernel_;
   Integrals integrals_;
+  std::optional<EvenDifferences> even_;
   cl::Buffer polar_i_, polar_s_, incidence_shadowing_, normalization_s_;
 
   struct StripsKey {
