@@ -43,6 +43,13 @@ Device describe_device(cl::Device handle, const std::string& platform_name, std:
               cause);
 }
 
+constexpr std::string_view all_devices = "all";
+
+std::string wanted_device(const std::optional<std::string>& selector) {
+  const char* variable = std::getenv("BRDFTAB_DEVICE");
+  return selector ? *selector : variable ? variable : "";
+}
+
 }  // namespace
 
 std::string Device::description() const {
@@ -75,10 +82,19 @@ std::vector<Device> list_devices() {
   return devices;
 }
 
+std::vector<Device> select_devices(const std::optional<std::string>& selector) {
+  if (wanted_device(selector) != all_devices) return {select_device(selector)};
+  auto devices = list_devices();
+  // One table has one arithmetic.
+  if (std::any_of(devices.begin(), devices.end(), [](const Device& d) { return d.has_fp64; }))
+    std::erase_if(devices, [](const Device& d) { return !d.has_fp64; });
+  return devices;
+}
+
 Device select_device(const std::optional<std::string>& selector) {
   const auto devices = list_devices();
-  const char* variable = std::getenv("BRDFTAB_DEVICE");
-  const std::string wanted = selector ? *selector : variable ? variable : "";
+  const std::string wanted = wanted_device(selector);
+  if (wanted == all_devices) throw Error(ExitStatus::device, "--device all: this command runs on one device; name it");
   if (wanted.empty()) {
     const auto gpu = std::find_if(devices.begin(), devices.end(), [](const Device& d) { return d.is_gpu; });
     return gpu != devices.end() ? *gpu : devices.front();

@@ -35,6 +35,10 @@ std::vector<Device> list_devices();
 
 /// The device that `selector` names: an index, a platform:device pair, or part of a name. Without one,
 /// BRDFTAB_DEVICE; without that, the first GPU, or the first device.
+/// Throws Error (exit status 3) where there is none, or where it names all.
 Device select_device(const std::optional<std::string>& selector);
+
+/// The same, and `all`: every device that has the widest precision among them.
+std::vector<Device> select_devices(const std::optional<std::string>& selector);
 
 }  // namespace brdftab

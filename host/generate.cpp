@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <mutex>
+#include <thread>
 
 #include "host/error.hpp"
 #include "host/interrupt.hpp"
@@ -30,11 +32,18 @@ void naming(const std::filesystem::path& target, Work work) {
   }
 }
 
+std::string description_of(std::span<const Engine* const> engines) {
+  std::vector<std::string> descriptions;
+  for (const Engine* engine : engines) descriptions.push_back(engine->device().description());
+  return fmt::format("{}", fmt::join(descriptions, "; "));
+}
+
 }  // namespace
 
-GenerateSummary generate(const Engine& engine, const Material& material, const Grid& dense_grid,
+GenerateSummary generate(std::span<const Engine* const> engines, const Material& material, const Grid& dense_grid,
                          const std::filesystem::path& target, const CreateTable& create, const GenerateOptions& options) {
   const auto start = std::chrono::steady_clock::now();
+  const Engine& engine = *engines.front();
   const std::size_t node_bytes = bytes_of(engine.table());
   const std::size_t datasets = material.bands().size() * options.polarizations.size();
   const long double wanted = static_cast<long double>(dense_grid.theta_i.size()) * dense_grid.phi_i.size() *
@@ -56,7 +65,7 @@ GenerateSummary generate(const Engine& engine, const Material& material, const G
                              .precision = engine.table(),
                              .working = engine.working(),
                              .storage = options.storage,
-                             .device = engine.device().description(),
+                             .device = description_of(engines),
                              .build_options = engine.build_options(),
                              .history = options.history};
   const Chunk chunk = options.storage.deflate_level > 0 ? chunk_shape(grid, node_bytes) : Chunk{};
@@ -68,32 +77,49 @@ GenerateSummary generate(const Engine& engine, const Material& material, const G
   std::unique_ptr<TableWriter> writer;
   naming(target, [&] { writer = create(file.path(), content); });
   Progress progress(target.filename().string(), samples, node_bytes, options.quiet);
-  std::size_t done = 0;
   {
-    SlabRing ring(engine, largest * node_bytes);
+    const std::size_t band_slabs = cuts.size() * options.polarizations.size();
+    SlabRing ring(engines, material.bands().size() * band_slabs, largest * node_bytes);
+    std::mutex checking;
+    std::size_t done = 0;
     for (std::size_t band = 0; band < material.bands().size(); ++band) {
-      Plan plan(engine, material, material.bands()[band], grid);
-      for (std::size_t polarization = 0; polarization < options.polarizations.size(); ++polarization)
-        for (const Slab& slab : cuts) {
+      const Band& this_band = material.bands()[band];
+      const Integrals band_integrals = integrals(engine, this_band, material.switches(), grid.theta_i.nodes());
+      const auto tabulate_on = [&](const Engine& device) {
+        Plan plan(device, material, this_band, grid, band_integrals);
+        while (const auto turn = ring.take(device, (band + 1) * band_slabs)) {
           stop_if_interrupted();
-          const cl::Buffer& filled = ring.acquire();
-          plan.tabulate(slab, options.polarizations[polarization], filled);
-          if (options.storage.keep_bits) round_mantissas(engine, slab, filled, *options.storage.keep_bits);
-          const auto mapped = ring.map(slab.nodes() * node_bytes);
+          const std::size_t polarization = turn->slab % band_slabs / cuts.size();
+          const Slab& slab = cuts[turn->slab % cuts.size()];
+          plan.tabulate(slab, options.polarizations[polarization], turn->samples);
+          if (options.storage.keep_bits) round_mantissas(device, slab, turn->samples, *options.storage.keep_bits);
+          const auto mapped = ring.map(*turn, slab.nodes() * node_bytes);
           plan.check(slab, mapped);
-          spot_check.take(polarization, band, slab, mapped);
-          ring.submit([&, polarization, band, slab](std::span<const std::byte> bytes) {
+          {
+            const std::lock_guard lock(checking);
+            spot_check.take(polarization, band, slab, mapped);
+            progress.report(done += slab.nodes());
+          }
+          ring.submit(*turn, [&, polarization, band, slab](std::span<const std::byte> bytes) {
             naming(target, [&] { writer->write(polarization, band, slab, bytes); });
           });
-          done += slab.nodes();
-          progress.report(done);
         }
-      const Band& this_band = material.bands()[band];
-      for (auto& warning :
-           energy_warnings(material, this_band, grid.theta_i.nodes(), plan.integrals().dhr, options.polarizations))
+      };
+      {
+        std::vector<std::jthread> threads;
+        for (const Engine* device : engines)
+          threads.emplace_back([&, device] {
+            try {
+              tabulate_on(*device);
+            } catch (...) {
+              ring.fail();
+            }
+          });
+        findings.reciprocity.push_back(reciprocity(this_band, material.switches()));
+      }
+      for (auto& warning : energy_warnings(material, this_band, grid.theta_i.nodes(), band_integrals.dhr, options.polarizations))
         findings.energy_warnings.push_back(std::move(warning));
-      findings.integrals.push_back(plan.integrals());
-      findings.reciprocity.push_back(reciprocity(this_band, material.switches()));
+      findings.integrals.push_back(band_integrals);
     }
     ring.drain();
   }

@@ -1,8 +1,9 @@
-// Material and grid in, table file out: computes slabs on the device while a thread writes those before.
+// Material and grid in, table file out: devices compute slabs while a thread writes those before.
 #pragma once
 
 #include <filesystem>
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -32,9 +33,16 @@ struct GenerateSummary {
 
 using CreateTable = std::function<std::unique_ptr<TableWriter>(const std::filesystem::path&, const TableContent&)>;
 
-/// Writes the table beside `target` and renames it when it is complete; peak memory does not depend on its size.
-/// Throws BadInput where a node is not finite, FileError where writing fails, Error (130) when interrupted.
-GenerateSummary generate(const Engine& engine, const Material& material, const Grid& dense_grid,
+/// Computes slabs on all engines at once, which share one working and table precision; their number, and the size of
+/// slabs, do not change the bytes. Writes the table beside `target` and renames it when it is complete; peak memory does not
+/// depend on its size. Throws BadInput where a node is not finite, FileError where writing fails, Error (130) when interrupted.
+GenerateSummary generate(std::span<const Engine* const> engines, const Material& material, const Grid& dense_grid,
                          const std::filesystem::path& target, const CreateTable& create, const GenerateOptions& options);
+
+inline GenerateSummary generate(const Engine& engine, const Material& material, const Grid& grid,
+                                const std::filesystem::path& target, const CreateTable& create, const GenerateOptions& options) {
+  const Engine* const engines[] = {&engine};
+  return generate(engines, material, grid, target, create, options);
+}
 
 }  // namespace brdftab

@@ -52,15 +52,17 @@ std::optional<EvenDifferences> even_differences(const Grid& grid, Precision tabl
 
 double EvenDifferences::at(std::size_t k) const { return folded(first + static_cast<double>(k) * step); }
 
-Plan::Plan(const Engine& engine, const Material& material, const Band& band, const Grid& grid)
+Plan::Plan(const Engine& engine, const Material& material, const Band& band, const Grid& grid, const Integrals& integrals)
     : engine_(engine),
       material_(material),
       band_(band),
       grid_(grid),
       kernel_material_(band.parameters, material.switches(), engine.working()),
-      gaussian_(material.switches().autocovariance == Autocovariance::gaussian),
-      integrals_(brdftab::integrals(engine, band, material.switches(), grid.theta_i.nodes())) {
+      gaussian_(material.switches().autocovariance == Autocovariance::gaussian) {
   even_ = even_differences(grid, engine.table());
+  std::vector<double> n_i;
+  for (const auto& lobe : integrals.normalization.value) n_i.insert(n_i.end(), lobe.begin(), lobe.end());
+  normalization_i_ = engine.upload(n_i);
   normalization_s_ = material.switches().normalization == Normalization::reciprocal
                          ? normalizations(engine, band, material.switches(), grid.theta_s.nodes()).on_device
                          : engine.upload(std::vector<double>(3 * grid.theta_s.size()));
@@ -154,7 +156,7 @@ void Plan::tabulate_pairs(const Slab& slab, Polarization polarization) {
     pairs_bytes_ = bytes;
   }
   cl::Kernel kernel = engine_.kernel(gaussian_ ? "gaussian_pairs" : "lorentzian_pairs");
-  set_arguments(kernel, polar_i_, polar_s_, integrals_.normalization.on_device, as_int(grid_.theta_i.size()), normalization_s_,
+  set_arguments(kernel, polar_i_, polar_s_, normalization_i_, as_int(grid_.theta_i.size()), normalization_s_,
                 as_int(grid_.theta_s.size()), as_int(slab.theta_i.begin), as_int(slab.theta_s.begin), as_int(slab.theta_i.size()),
                 as_int(slab.theta_s.size()), pairs_, alarms_);
   engine_.set_number(kernel, 12, engine_.working(),

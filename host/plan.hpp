@@ -27,10 +27,9 @@ struct EvenDifferences {
 /// For one band of a material. Borrows the engine, the material and the grid.
 class Plan {
  public:
-  /// Computes the integrals at every theta_i and the factors of all polar angles. Throws BadInput where N is not finite.
-  Plan(const Engine& engine, const Material& material, const Band& band, const Grid& grid);
-
-  const Integrals& integrals() const { return integrals_; }
+  /// Computes the factors of all polar angles; `integrals` are those at every theta_i. Throws BadInput where N is not
+  /// finite.
+  Plan(const Engine& engine, const Material& material, const Band& band, const Grid& grid, const Integrals& integrals);
 
   /// Enqueues the samples of a slab, [theta_i][phi_i][theta_s][phi_s] in the table's precision, in 1/sr.
   void tabulate(const Slab& slab, Polarization polarization, const cl::Buffer& samples);
@@ -57,9 +56,8 @@ class Plan {
   KernelMaterial kernel_material_;
   bool gaussian_;
   const char* samples_kernel_;
-  Integrals integrals_;
   std::optional<EvenDifferences> even_;
-  cl::Buffer polar_i_, polar_s_, incidence_shadowing_, normalization_s_;
+  cl::Buffer polar_i_, polar_s_, incidence_shadowing_, normalization_i_, normalization_s_;
 
   struct StripsKey {
     Range theta_i, theta_s;

@@ -1,11 +1,12 @@
-// Slab buffers that go round between a device and one writing thread.
+// Slab buffers that go round between devices and one writing thread, which takes slabs in the table's order.
 #pragma once
 
 #include <condition_variable>
 #include <exception>
 #include <functional>
+#include <map>
 #include <mutex>
-#include <queue>
+#include <optional>
 #include <span>
 #include <thread>
 #include <vector>
@@ -15,48 +16,60 @@
 namespace brdftab {
 
 class SlabRing {
+  struct Buffer {
+    const Engine* engine;
+    cl::Buffer device;
+    void* host = nullptr;
+    std::size_t bytes = 0;
+    bool free = true;
+  };
+
  public:
   using Write = std::function<void(std::span<const std::byte>)>;
 
-  SlabRing(const Engine& engine, std::size_t slab_bytes, std::size_t buffers = 3);
+  /// A slab to fill: the next one that no device has.
+  struct Turn {
+    std::size_t slab;
+    cl::Buffer samples;
+    Buffer* buffer;
+  };
+
+  /// For `slabs` slabs of at most `slab_bytes`; `buffers` for each engine.
+  SlabRing(std::span<const Engine* const> engines, std::size_t slabs, std::size_t slab_bytes, std::size_t buffers = 3);
   SlabRing(const SlabRing&) = delete;
   SlabRing& operator=(const SlabRing&) = delete;
   ~SlabRing();
 
-  /// A buffer that the device may fill; waits until the writer has given one back. Rethrows the writer's exception.
-  cl::Buffer& acquire();
+  /// Waits for a buffer of the engine; none where all slabs below `end` have been taken. Rethrows any thread's exception.
+  std::optional<Turn> take(const Engine& engine, std::size_t end);
 
   /// Waits for the device, and gives the buffer's first `bytes` for reading on the host.
-  std::span<const std::byte> map(std::size_t bytes);
+  std::span<const std::byte> map(const Turn& turn, std::size_t bytes);
 
   /// Hands the mapped buffer to the writer.
-  void submit(Write write);
+  void submit(const Turn& turn, Write write);
 
-  /// Waits until all is written. Rethrows the writer's exception.
+  /// Ends all work with the current exception, which `take` and `drain` rethrow.
+  void fail();
+
+  /// Waits until all that was submitted is written. Rethrows any thread's exception.
   void drain();
 
  private:
-  struct Buffer {
-    cl::Buffer device;
-    void* host = nullptr;
-    std::size_t bytes = 0;
-  };
   struct Job {
-    std::size_t buffer;
+    Buffer* buffer;
     Write write;
   };
 
   void write_jobs(std::stop_token stop);
-  void rethrow_failure(std::unique_lock<std::mutex>&);
+  void rethrow_failure() const;
 
-  const Engine& engine_;
   std::vector<Buffer> buffers_;
-  std::size_t current_ = 0;
+  std::size_t next_slab_ = 0;
   std::mutex mutex_;
   std::condition_variable_any changed_;
-  std::queue<std::size_t> free_;
-  std::queue<Job> jobs_;
-  bool writing_ = false;
+  std::map<std::size_t, Job> jobs_;  // by slab
+  std::size_t next_job_ = 0;
   std::exception_ptr failure_;
   std::jthread writer_;
 };

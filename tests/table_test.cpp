@@ -59,7 +59,8 @@ TEST_F(Table, FileHoldsTheDevicesBytes) {
     const std::size_t bytes = whole.nodes() * bytes_of(precision);
     const Hdf5Handle read(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), file.string());
     for (std::size_t band = 0; band < 2; ++band) {
-      Plan plan(engine, material, material.bands()[band], grid);
+      Plan plan(engine, material, material.bands()[band], grid,
+                integrals(engine, material.bands()[band], material.switches(), grid.theta_i.nodes()));
       for (const Polarization polarization : options.polarizations) {
         const cl::Buffer samples = engine.buffer(bytes);
         plan.tabulate(whole, polarization, samples);

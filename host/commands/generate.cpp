@@ -137,8 +137,12 @@ ExitStatus run(const Options& options, const CommonOptions& common) {
     }
     tasks.push_back({std::move(material), std::move(grid), target});
   }
-  const Device device = select_device(options.device);
-  const Engine engine(device, Engine::widest(device), precision);
+  std::vector<std::unique_ptr<Engine>> owned;
+  std::vector<const Engine*> engines;
+  for (const Device& device : select_devices(options.device)) {
+    owned.push_back(std::make_unique<Engine>(device, Engine::widest(device), precision));
+    engines.push_back(owned.back().get());
+  }
   GenerateOptions generate_options;
   generate_options.polarizations = polarizations(options.polarization);
   generate_options.storage = storage;
@@ -146,7 +150,7 @@ ExitStatus run(const Options& options, const CommonOptions& common) {
   generate_options.force = options.force;
   generate_options.history = history(common);
   for (const Task& task : tasks) {
-    const auto summary = generate(engine, task.material, task.grid, task.target, format.create, generate_options);
+    const auto summary = generate(engines, task.material, task.grid, task.target, format.create, generate_options);
     const Accuracy& accuracy = summary.findings.accuracy;
     say(common,
         fmt::format("{}: {} samples, {:.3g} MB{} in {:.2f} s; {}", task.target.string(), summary.samples,

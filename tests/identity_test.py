@@ -1,0 +1,43 @@
+"""The bytes of a table do not depend on the driver, the number of devices, or how its rows are shared."""
+
+import h5py
+import numpy
+
+from program import DONE, InFolder, MATERIALS, run
+
+DATASETS = ["brdf", "brdf_s", "brdf_p", "dhr", "dhr_surface", "normalization_surface", "normalization_retro"]
+COMMON = ["--theta-i", "20,70", "--theta-s", "0:88:4"]
+
+
+class Identity(InFolder):
+    def table(self, *options, **environment):
+        file = self.folder / "table.h5"
+        made = run("generate", MATERIALS / "garnet-red-paint.toml", "-o", file, "--force", "--polarization", "all", *options,
+                   **environment)
+        self.assertEqual(made.returncode, DONE, made.stderr)
+        with h5py.File(file) as table:
+            return {name: table[name][...] for name in DATASETS}
+
+    def test_drivers_and_device_counts(self):
+        if "pthread" not in run("devices").stdout:
+            self.skipTest("takes PoCL's CPU drivers")
+        grid = ["--theta-i", "0:80:10", "--phi-i", "0:350:10", "--theta-s", "0:88:2", "--phi-s", "0:360:1"]
+        expected = self.table(*grid, POCL_DEVICES="pthread")
+        for devices in ["basic", "pthread pthread", "basic pthread pthread"]:
+            found = self.table(*grid, "--device", "all", POCL_DEVICES=devices)
+            for name in DATASETS:
+                self.assertEqual(found[name].tobytes(), expected[name].tobytes(), f"{name} on {devices}")
+
+    def test_rows_that_repeat_equal_rows_evaluated(self):
+        phi_s = ["--phi-s", "0:360:2.5"]
+        together = self.table(*COMMON, "--phi-i=-90:270:45", *phi_s)
+        for k, phi_i in enumerate(range(-90, 271, 45)):
+            alone = self.table(*COMMON, f"--phi-i={phi_i}", *phi_s)
+            for name in ["brdf", "brdf_s"]:
+                numpy.testing.assert_array_equal(together[name][:, k], alone[name][:, 0])
+
+    def test_decimal_steps_repeat_within_rounding(self):
+        phi_s = ["--phi-s", "0:36:0.1"]
+        together = self.table(*COMMON, "--phi-i", "0:9:0.3", *phi_s)["brdf"]
+        alone = self.table(*COMMON, "--phi-i", "5.7", *phi_s)["brdf"]
+        numpy.testing.assert_allclose(together[:, 19], alone[:, 0], rtol=1.2e-7)
