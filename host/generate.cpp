@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <mutex>
+#include <optional>
 #include <thread>
 
 #include "host/error.hpp"
@@ -30,6 +31,13 @@ void naming(const std::filesystem::path& target, Work work) {
   } catch (const FileError& error) {
     throw FileError("{}: cannot be written: {}", target.string(), error.what());
   }
+}
+
+template <class Work>
+double seconds(Work work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 std::string description_of(std::span<const Engine* const> engines) {
@@ -73,6 +81,7 @@ GenerateSummary generate(std::span<const Engine* const> engines, const Material&
   const std::size_t largest =
       std::max_element(cuts.begin(), cuts.end(), [](const Slab& a, const Slab& b) { return a.nodes() < b.nodes(); })->nodes();
   TableFindings findings;
+  StageSeconds stages;
   SpotCheck spot_check(content);
   std::unique_ptr<TableWriter> writer;
   naming(target, [&] { writer = create(file.path(), content); });
@@ -84,26 +93,37 @@ GenerateSummary generate(std::span<const Engine* const> engines, const Material&
     std::size_t done = 0;
     for (std::size_t band = 0; band < material.bands().size(); ++band) {
       const Band& this_band = material.bands()[band];
-      const Integrals band_integrals = integrals(engine, this_band, material.switches(), grid.theta_i.nodes());
+      Integrals band_integrals;
+      stages.plan += seconds([&] { band_integrals = integrals(engine, this_band, material.switches(), grid.theta_i.nodes()); });
       const auto tabulate_on = [&](const Engine& device) {
-        Plan plan(device, material, this_band, grid, band_integrals);
+        StageSeconds spent;
+        std::optional<Plan> plan;
+        spent.plan = seconds([&] { plan.emplace(device, material, this_band, grid, band_integrals); });
         while (const auto turn = ring.take(device, (band + 1) * band_slabs)) {
           stop_if_interrupted();
           const std::size_t polarization = turn->slab % band_slabs / cuts.size();
           const Slab& slab = cuts[turn->slab % cuts.size()];
-          plan.tabulate(slab, options.polarizations[polarization], turn->samples);
-          if (options.storage.keep_bits) round_mantissas(device, slab, turn->samples, *options.storage.keep_bits);
-          const auto mapped = ring.map(*turn, slab.nodes() * node_bytes);
-          plan.check(slab, mapped);
+          spent.compute += seconds([&] {
+            plan->tabulate(slab, options.polarizations[polarization], turn->samples);
+            if (options.storage.keep_bits) round_mantissas(device, slab, turn->samples, *options.storage.keep_bits);
+            device.queue().finish();
+          });
+          std::span<const std::byte> mapped;
+          spent.transfer += seconds([&] { mapped = ring.map(*turn, slab.nodes() * node_bytes); });
+          plan->check(slab, mapped);
           {
             const std::lock_guard lock(checking);
             spot_check.take(polarization, band, slab, mapped);
             progress.report(done += slab.nodes());
           }
           ring.submit(*turn, [&, polarization, band, slab](std::span<const std::byte> bytes) {
-            naming(target, [&] { writer->write(polarization, band, slab, bytes); });
+            stages.write += seconds([&] { naming(target, [&] { writer->write(polarization, band, slab, bytes); }); });
           });
         }
+        const std::lock_guard lock(checking);
+        stages.plan += spent.plan;
+        stages.compute += spent.compute;
+        stages.transfer += spent.transfer;
       };
       {
         std::vector<std::jthread> threads;
@@ -136,7 +156,7 @@ GenerateSummary generate(std::span<const Engine* const> engines, const Material&
   const std::size_t file_bytes = std::filesystem::file_size(file.path());
   file.commit();
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-  return {dense, dense * node_bytes, file_bytes, elapsed.count(), std::move(findings)};
+  return {dense, dense * node_bytes, file_bytes, elapsed.count(), stages, std::move(findings)};
 }
 
 }  // namespace brdftab

@@ -23,11 +23,20 @@ struct GenerateOptions {
   std::size_t slab_bytes = 32u << 20;
 };
 
+/// Seconds that threads spent in each stage; compute and write run beside each other.
+struct StageSeconds {
+  double plan = 0;      // integrals and tables of factors
+  double compute = 0;   // slabs on devices
+  double transfer = 0;  // slabs to the host
+  double write = 0;     // slabs to the file
+};
+
 struct GenerateSummary {
   std::size_t samples;  // of the table that readers see, like its bytes
   std::size_t bytes;
   std::size_t file_bytes;
   double seconds;
+  StageSeconds stages;
   TableFindings findings;
 };
 

@@ -25,6 +25,7 @@ constexpr CommandRow command_table[] = {
     {"evaluate", "Evaluate a material at the directions of a CSV file", evaluate_command},
     {"integrate", "Integrate a material over the hemisphere: N, DHR and BHR", integrate_command},
     {"info", "Show what a table holds", info_command},
+    {"bench", "Measure kernels against the device's store rate and the scalar reference", bench_command},
     {"devices", "List the OpenCL devices and how to select each", devices_command},
     {"parameters", "List every parameter of the model with its range and meaning", parameters_command},
 };

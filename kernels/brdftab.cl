@@ -7,4 +7,5 @@
 #include "integrals.cl"
 #include "tabulate.cl"
 #include "mantissa.cl"
+#include "store.cl"
 #endif

@@ -26,6 +26,7 @@ std::function<ExitStatus()> generate_command(CLI::App&, const CommonOptions&);
 std::function<ExitStatus()> evaluate_command(CLI::App&, const CommonOptions&);
 std::function<ExitStatus()> integrate_command(CLI::App&, const CommonOptions&);
 std::function<ExitStatus()> info_command(CLI::App&, const CommonOptions&);
+std::function<ExitStatus()> bench_command(CLI::App&, const CommonOptions&);
 std::function<ExitStatus()> devices_command(CLI::App&, const CommonOptions&);
 std::function<ExitStatus()> parameters_command(CLI::App&, const CommonOptions&);
 

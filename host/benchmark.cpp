@@ -1,0 +1,43 @@
+#include "host/benchmark.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+#include "host/interrupt.hpp"
+
+namespace brdftab {
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+double Timing::median() const { return brdftab::median(seconds); }
+
+std::vector<Timing> time_in_rounds(const std::vector<Workload>& workloads, int rounds) {
+  std::vector<Timing> timings;
+  for (const Workload& workload : workloads) {
+    stop_if_interrupted();
+    workload.run();
+    timings.push_back({&workload, {}});
+  }
+  for (int round = 0; round < rounds; ++round)
+    for (Timing& timing : timings) {
+      stop_if_interrupted();
+      const auto start = std::chrono::steady_clock::now();
+      timing.workload->run();
+      timing.seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    }
+  return timings;
+}
+
+double rate_ratio(const Timing& a, const Timing& b, bool by_bytes) {
+  const auto amount = [&](const Timing& t) { return by_bytes ? t.workload->bytes : t.workload->produced; };
+  std::vector<double> ratios;
+  for (std::size_t k = 0; k < std::min(a.seconds.size(), b.seconds.size()); ++k)
+    ratios.push_back(amount(a) / a.seconds[k] / (amount(b) / b.seconds[k]));
+  return median(std::move(ratios));
+}
+
+}  // namespace brdftab
