@@ -20,7 +20,7 @@ struct GenerateOptions {
   bool quiet = false;
   bool force = false;
   std::string history;
-  std::size_t slab_bytes = 32u << 20;
+  std::size_t slab_bytes = 16u << 20;
 };
 
 /// Seconds that threads spent in each stage; compute and write run beside each other.

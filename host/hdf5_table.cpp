@@ -40,7 +40,9 @@ Hdf5Handle create_file(const std::filesystem::path& path, Layout layout) {
   // selections that they may take, came with 1.10.
   const auto newest = layout == Layout::virtual_view ? H5F_LIBVER_V110 : H5F_LIBVER_V18;
   hdf5_check(H5Pset_libver_bounds(access, newest, newest), "HDF5 version");
-  return Hdf5Handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, access), path.string());
+  // Made anew, not truncated: ext4 takes a truncated file for one that replaces another, and closing it for a flush.
+  std::filesystem::remove(path);
+  return Hdf5Handle(H5Fcreate(path.c_str(), H5F_ACC_EXCL, creation, access), path.string());
 }
 
 std::uint64_t sample_bytes(const TableContent& content) {

@@ -12,11 +12,17 @@
 namespace brdftab {
 namespace {
 
-// Nodes of working memory that no table is too small for.
-constexpr std::size_t smallest_room = 1 << 20;
+// Numbers of working memory for a slab's strips, and for the shadowing of all theta_s and phi_i.
+constexpr std::size_t strips_room = 16 << 20;
+constexpr std::size_t shadowing_room = 32 << 20;
 
 // f is even and periodic in phi; both operations are exact.
 double folded(double phi) { return std::abs(std::remainder(phi, 360.0)); }
+
+// `Range` of kernels/tabulate.cl.
+struct KernelRange {
+  cl_int first_i, first_phi_i, count_phi_i, first_s, count_s, nodes_phi_s, azimuths;
+};
 
 cl_int as_int(std::size_t count) { return static_cast<cl_int>(count); }
 
@@ -36,7 +42,8 @@ std::optional<EvenDifferences> even_differences(const Grid& grid, Precision tabl
   const auto phi_s = grid.phi_s.nodes();
   if (phi_i.size() < 2 || phi_s.size() < 2) return std::nullopt;
   const double tolerance = table == Precision::float64 ? 0 : 5e-13;
-  EvenDifferences even{phi_s.front() - phi_i.back(), (phi_s.back() - phi_s.front()) / static_cast<double>(phi_s.size() - 1), {}};
+  EvenDifferences even{
+      phi_s.front() - phi_i.back(), (phi_s.back() - phi_s.front()) / static_cast<double>(phi_s.size() - 1), phi_s.size(), {}};
   for (const double phi : phi_i) {
     const double shift = std::nearbyint((phi_i.back() - phi) / even.step);
     if (!(shift <= std::numeric_limits<int>::max() / 2)) return std::nullopt;
@@ -49,6 +56,8 @@ std::optional<EvenDifferences> even_differences(const Grid& grid, Precision tabl
 }
 
 }  // namespace
+
+std::size_t EvenDifferences::nodes() const { return static_cast<std::size_t>(shift.front()) + phi_s; }
 
 double EvenDifferences::at(std::size_t k) const { return folded(first + static_cast<double>(k) * step); }
 
@@ -95,34 +104,21 @@ bool Plan::combines(const kernels_on_host::PolarTables& incidence, const kernels
   return range <= widest_range;
 }
 
-std::vector<double> Plan::fold_azimuths(Range phi_i) const {
-  const auto phi_s = grid_.phi_s.nodes();
-  std::vector<double> rows;
-  rows.reserve(phi_i.size() * phi_s.size());
-  for (std::size_t i = phi_i.begin; i < phi_i.end; ++i)
-    for (std::size_t k = 0; k < phi_s.size(); ++k)
-      rows.push_back(even_ ? even_->at(static_cast<std::size_t>(even_->shift[i]) + k) : folded(phi_s[k] - grid_.phi_i[i]));
-  return rows;
-}
-
 void Plan::prepare_azimuths(const Slab& slab) {
   if (azimuths_phi_i_ && azimuths_phi_i_->begin <= slab.phi_i.begin && slab.phi_i.end <= azimuths_phi_i_->end) return;
-  // One strip for all phi_i where it is shorter than their rows and takes no more room than a slab; otherwise the rows.
+  const auto phi_s = grid_.phi_s.nodes();
   Range group{0, grid_.phi_i.size()};
   std::vector<double> azimuths;
-  if (even_ && !phi_i_by_slab_) {
-    const std::size_t strip = static_cast<std::size_t>(even_->shift.front()) + grid_.phi_s.size();
-    strip_ = strip * 4 <= group.size() * grid_.phi_s.size() * 3 &&
-             strip * slab.theta_i.size() * slab.theta_s.size() <= std::max(slab.nodes(), smallest_room);
-    if (strip_)
-      for (std::size_t k = 0; k < strip; ++k) azimuths.push_back(even_->at(k));
-  }
-  if (strip_) {
-    shift_ = engine_.upload(std::span<const int>(even_->shift));
+  std::vector<int> rows;
+  if (even_) {
+    for (std::size_t k = 0; k < even_->nodes(); ++k) azimuths.push_back(even_->at(k));
+    rows = even_->shift;
   } else {
-    phi_i_by_slab_ = true;
-    group = slab.phi_i;
-    azimuths = fold_azimuths(group);
+    if (2 * slab.theta_s.size() * group.size() * phi_s.size() > shadowing_room) group = slab.phi_i;
+    for (std::size_t i = group.begin; i < group.end; ++i) {
+      rows.push_back(as_int(azimuths.size()));
+      for (const double phi : phi_s) azimuths.push_back(folded(phi - grid_.phi_i[i]));
+    }
   }
   const auto tables = engine_.working() == Precision::float64 ? kernels_on_host::Double::azimuth_tables(azimuths)
                                                               : kernels_on_host::Float::azimuth_tables(azimuths);
@@ -130,21 +126,30 @@ void Plan::prepare_azimuths(const Slab& slab) {
   const Precision lobes = gaussian_ ? engine_.working() : engine_.table();
   sin2_half_ = engine_.upload(tables.sin2_half, lobes);
   cos2_half_ = engine_.upload(tables.cos2_half, lobes);
+  rows_ = engine_.upload(std::span<const int>(rows));
   azimuths_ = azimuths.size();
   azimuths_phi_i_ = group;
   shadowing_theta_s_.reset();
-  strips_of_.reset();
 }
 
 void Plan::prepare_shadowing(const Slab& slab) {
-  if (shadowing_theta_s_ == slab.theta_s) return;
-  scatter_shadowing_ = engine_.buffer(2 * slab.theta_s.size() * azimuths_ * bytes_of(engine_.table()));
+  if (shadowing_theta_s_ && shadowing_theta_s_->begin <= slab.theta_s.begin && slab.theta_s.end <= shadowing_theta_s_->end)
+    return;
+  Range theta_s{0, grid_.theta_s.size()};
+  if (2 * theta_s.size() * azimuths_ > shadowing_room) theta_s = slab.theta_s;
+  scatter_shadowing_ = engine_.buffer(2 * theta_s.size() * azimuths_ * bytes_of(engine_.table()));
   cl::Kernel kernel = engine_.kernel("scatter_shadowing_table");
-  set_arguments(kernel, polar_s_, as_int(grid_.theta_s.size()), azimuth_, as_int(slab.theta_s.begin), as_int(azimuths_),
+  set_arguments(kernel, polar_s_, as_int(grid_.theta_s.size()), azimuth_, as_int(theta_s.begin), as_int(azimuths_),
                 scatter_shadowing_);
   kernel_material_.set(kernel, 6);
-  engine_.run(kernel, {azimuths_, slab.theta_s.size(), 1});
-  shadowing_theta_s_ = slab.theta_s;
+  engine_.run(kernel, {azimuths_, theta_s.size(), 1});
+  shadowing_theta_s_ = theta_s;
+}
+
+bool Plan::shares_strips(const Slab& slab) const {
+  // Worth it where the strip is shorter than the rows; slabs that cut theta_s would take turns with it.
+  return even_ && even_->nodes() * 4 <= grid_.phi_i.size() * grid_.phi_s.size() * 3 &&
+         slab.theta_s.size() == grid_.theta_s.size() && even_->nodes() * slab.theta_i.size() * slab.theta_s.size() <= strips_room;
 }
 
 void Plan::tabulate_pairs(const Slab& slab, Polarization polarization) {
@@ -167,25 +172,33 @@ void Plan::tabulate_pairs(const Slab& slab, Polarization polarization) {
   engine_.run(kernel, {slab.theta_s.size(), slab.theta_i.size(), 1});
 }
 
-void Plan::tabulate_rows(const Slab& slab, std::size_t count_phi_i, std::size_t nodes_phi_s, const cl::Buffer& samples) {
+void Plan::tabulate_rows(const Slab& slab, Range phi_i, std::size_t nodes_phi_s, const cl::Buffer& rows,
+                         const cl::Buffer& samples) {
+  const KernelRange range{.first_i = as_int(slab.theta_i.begin),
+                          .first_phi_i = as_int(phi_i.begin),
+                          .count_phi_i = as_int(phi_i.size()),
+                          .first_s = as_int(slab.theta_s.begin - shadowing_theta_s_->begin),
+                          .count_s = as_int(shadowing_theta_s_->size()),
+                          .nodes_phi_s = as_int(nodes_phi_s),
+                          .azimuths = as_int(azimuths_)};
   cl::Kernel kernel = engine_.kernel(samples_kernel_);
-  set_arguments(kernel, pairs_, incidence_shadowing_, scatter_shadowing_, sin2_half_, cos2_half_, samples, as_int(count_phi_i),
-                as_int(nodes_phi_s), as_int(slab.theta_i.begin));
+  set_arguments(kernel, pairs_, incidence_shadowing_, scatter_shadowing_, sin2_half_, cos2_half_, samples, rows, range);
   const bool subsurface_shadowed = material_.switches().reflectance_shadowing != ReflectanceShadowing::surface;
-  engine_.set_number(kernel, 9, engine_.table(), subsurface_shadowed);
-  engine_.run(kernel, {nodes_phi_s, slab.theta_i.size() * count_phi_i, slab.theta_s.size()});
+  engine_.set_number(kernel, 8, engine_.table(), subsurface_shadowed);
+  engine_.run(kernel, {nodes_phi_s, slab.theta_i.size() * phi_i.size(), slab.theta_s.size()});
 }
 
 void Plan::tabulate(const Slab& slab, Polarization polarization, const cl::Buffer& samples) {
   prepare_azimuths(slab);
   prepare_shadowing(slab);
-  if (!strip_) {
+  const std::size_t first_phi_i = slab.phi_i.begin - azimuths_phi_i_->begin;
+  if (!shares_strips(slab)) {
     tabulate_pairs(slab, polarization);
-    tabulate_rows(slab, slab.phi_i.size(), slab.phi_s, samples);
+    tabulate_rows(slab, {first_phi_i, first_phi_i + slab.phi_i.size()}, slab.phi_s, rows_, samples);
     return;
   }
   // Slabs of one theta_i that differ in phi_i share their strips.
-  const StripsKey key{slab.theta_i, slab.theta_s, polarization};
+  const StripsKey key{slab.theta_i, polarization};
   if (strips_of_ != key) {
     tabulate_pairs(slab, polarization);
     const std::size_t bytes = slab.theta_i.size() * slab.theta_s.size() * azimuths_ * bytes_of(engine_.table());
@@ -193,12 +206,13 @@ void Plan::tabulate(const Slab& slab, Polarization polarization, const cl::Buffe
       strips_ = engine_.buffer(bytes);
       strips_bytes_ = bytes;
     }
-    tabulate_rows(slab, 1, azimuths_, strips_);
+    constexpr int whole = 0;
+    tabulate_rows(slab, {0, 1}, azimuths_, engine_.upload(std::span(&whole, 1)), strips_);
     strips_of_ = key;
   }
   cl::Kernel rows = engine_.kernel("shifted_rows");
-  set_arguments(rows, strips_, shift_, samples, as_int(azimuths_), as_int(slab.phi_s),
-                as_int(slab.phi_i.begin - azimuths_phi_i_->begin), as_int(slab.phi_i.size()));
+  set_arguments(rows, strips_, rows_, samples, as_int(azimuths_), as_int(slab.phi_s), as_int(first_phi_i),
+                as_int(slab.phi_i.size()));
   engine_.run(rows, {slab.phi_s, slab.theta_s.size(), slab.theta_i.size() * slab.phi_i.size()});
 }
 

@@ -18,7 +18,11 @@ namespace brdftab {
 struct EvenDifferences {
   double first;
   double step;
+  std::size_t phi_s;  // nodes
   std::vector<int> shift;
+
+  /// Of all rows together.
+  std::size_t nodes() const;
 
   /// As the model takes it, in [0, 180].
   double at(std::size_t k) const;
@@ -41,12 +45,13 @@ class Plan {
  private:
   /// Whether the denominators of Lorentzian lobes range so little over phi that their product stays in a float's range.
   bool combines(const kernels_on_host::PolarTables& incidence, const kernels_on_host::PolarTables& scatter) const;
-  /// The azimuth of each (phi_i, phi_s) of a range of phi_i, as the model takes it.
-  std::vector<double> fold_azimuths(Range phi_i) const;
   void prepare_azimuths(const Slab& slab);
   void prepare_shadowing(const Slab& slab);
   void tabulate_pairs(const Slab& slab, Polarization polarization);
-  void tabulate_rows(const Slab& slab, std::size_t count_phi_i, std::size_t nodes_phi_s, const cl::Buffer& samples);
+  /// Whether the slab's rows are pieces of longer ones, strips, computed once for all phi_i.
+  bool shares_strips(const Slab& slab) const;
+  /// `rows`: the first azimuth of each phi_i; `phi_i`: which of them; `nodes_phi_s`: azimuths of a row.
+  void tabulate_rows(const Slab& slab, Range phi_i, std::size_t nodes_phi_s, const cl::Buffer& rows, const cl::Buffer& samples);
   [[noreturn]] void refuse(std::size_t i, std::size_t s, const std::string& where, std::string_view fault, int lobes) const;
 
   const Engine& engine_;
@@ -60,7 +65,7 @@ class Plan {
   cl::Buffer polar_i_, polar_s_, incidence_shadowing_, normalization_i_, normalization_s_;
 
   struct StripsKey {
-    Range theta_i, theta_s;
+    Range theta_i;
     Polarization polarization;
     bool operator==(const StripsKey&) const = default;
   };
@@ -68,11 +73,9 @@ class Plan {
   // Of the last slabs; kept while their ranges stay.
   std::optional<Range> azimuths_phi_i_;
   std::optional<Range> shadowing_theta_s_;
-  std::size_t azimuths_ = 0;    // in the tables below
-  bool phi_i_by_slab_ = false;  // the strips of all phi_i at once would take too much room
-  bool strip_ = false;          // the azimuths are a strip, of which the row of each phi_i is a piece
   std::optional<StripsKey> strips_of_;
-  cl::Buffer azimuth_, sin2_half_, cos2_half_, shift_, scatter_shadowing_;
+  std::size_t azimuths_ = 0;  // in the tables below
+  cl::Buffer azimuth_, sin2_half_, cos2_half_, rows_, scatter_shadowing_;
   cl::Buffer pairs_, alarms_, strips_;
   std::size_t pairs_bytes_ = 0, strips_bytes_ = 0;
 };

@@ -13,7 +13,7 @@
 namespace brdftab {
 namespace {
 
-constexpr std::size_t slab_bytes = 32u << 20;
+constexpr std::size_t slab_bytes = 16u << 20;
 constexpr std::size_t listed_directions = 1u << 20;
 constexpr std::size_t reference_directions = 4000;
 

@@ -105,49 +105,59 @@ __kernel void lorentzian_pairs(__global const real *restrict polar_i,
   alarms[at] = alarm;
 }
 
+// What of the tables a range of nodes takes. Azimuths are those of one or more rows of phi_s; shadowing: [theta_s][azimuth].
+typedef struct {
+  int first_i;      // of theta_i
+  int first_phi_i;  // of the rows
+  int count_phi_i;
+  int first_s;      // of theta_s in the shadowing's table
+  int count_s;      // there
+  int nodes_phi_s;
+  int azimuths;
+} Range;
+
 // Where a node is: work-items run over phi_s, then theta_i and phi_i together, then theta_s, so that neighbouring
 // work-groups share the shadowing of a theta_s.
 typedef struct {
   size_t i;
-  size_t s;
-  size_t azimuth;  // among those of all phi_i
+  size_t azimuth;
   size_t pair, pairs;            // [theta_i][theta_s], and how many
-  size_t shadowing, shadowings;  // [theta_s][azimuth]
-  size_t sample;   // [theta_i][phi_i][theta_s][phi_s]
+  size_t shadowing, shadowings;  // [theta_s][azimuth], and how many
+  size_t sample;                 // [theta_i][phi_i][theta_s][phi_s]
 } Node;
 
-FN Node node_here(int count_phi_i, int nodes_phi_s)
+FN Node node_here(Range range, __global const int *restrict row)
 {
   const size_t incidence = get_global_id(1);
+  const size_t i = incidence / (size_t)range.count_phi_i;
+  const size_t s = get_global_id(2);
   Node node;
-  node.i = incidence / (size_t)count_phi_i;
-  node.s = get_global_id(2);
-  node.azimuth = incidence % (size_t)count_phi_i * nodes_phi_s + get_global_id(0);
-  node.pair = node.i * get_global_size(2) + node.s;
-  node.pairs = get_global_size(1) / (size_t)count_phi_i * get_global_size(2);
-  const size_t azimuths = (size_t)count_phi_i * nodes_phi_s;
-  node.shadowing = node.s * azimuths + node.azimuth;
-  node.shadowings = get_global_size(2) * azimuths;
-  node.sample = (incidence * get_global_size(2) + node.s) * nodes_phi_s + get_global_id(0);
+  node.i = range.first_i + i;
+  node.azimuth = row[range.first_phi_i + incidence % (size_t)range.count_phi_i] + get_global_id(0);
+  node.pair = i * get_global_size(2) + s;
+  node.pairs = get_global_size(1) / (size_t)range.count_phi_i * get_global_size(2);
+  node.shadowing = (range.first_s + s) * (size_t)range.azimuths + node.azimuth;
+  node.shadowings = range.count_s * (size_t)range.azimuths;
+  node.sample = (incidence * get_global_size(2) + s) * range.nodes_phi_s + get_global_id(0);
   return node;
 }
 
 // f, [theta_i][phi_i][theta_s][phi_s]. Exact global size; no guards. `incidence` holds 1 - E_0 of every theta_i;
-// above and below the surface, V_m or, where `subsurface_shadowed` is 0, 1.
+// `row`: the first azimuth of each phi_i. Above and below the surface, V_m or, where `subsurface_shadowed` is 0, 1.
 // With `combined`, one division serves all lobes; see Plan::combines().
 #define LORENTZIAN_SAMPLES(name, combined)                                                                            \
   __kernel void name(__global const table_real *restrict pairs, __global const table_real *restrict incidence,        \
                      __global const table_real *restrict scatter, __global const table_real *restrict sin2_half,      \
-                     __global const table_real *restrict cos2_half, __global table_real *restrict f, int count_phi_i, \
-                     int nodes_phi_s, int first_i, table_real subsurface_shadowed)                                    \
+                     __global const table_real *restrict cos2_half, __global table_real *restrict f,                  \
+                     __global const int *restrict row, Range range, table_real subsurface_shadowed)                   \
   {                                                                                                                   \
-    const Node node = node_here(count_phi_i, nodes_phi_s);                                                            \
+    const Node node = node_here(range, row);                                                                          \
     const size_t x = node.azimuth;                                                                                    \
     __global const table_real *restrict amplitude = pairs + node.pair;                                                \
     __global const table_real *restrict nearest = amplitude + node.pairs;                                             \
     __global const table_real *restrict transverse = nearest + node.pairs;                                            \
     const size_t lobe = 3 * node.pairs;                                                                               \
-    const table_real above = fma(scatter[node.shadowing + node.shadowings], incidence[first_i + node.i],              \
+    const table_real above = fma(scatter[node.shadowing + node.shadowings], incidence[node.i],                        \
                                  scatter[node.shadowing]);                                                            \
     const table_real below = fma(above, subsurface_shadowed, 1 - subsurface_shadowed);                                \
     const table_real surface = fma(transverse[0], sin2_half[x], nearest[0]);                                          \
@@ -207,12 +217,12 @@ FN real gaussian_lobe(__global const real *restrict lobe, size_t pairs, real dis
 __kernel void gaussian_samples(__global const real *restrict pairs, __global const table_real *restrict incidence,
                                __global const table_real *restrict scatter, __global const real *restrict sin2_half,
                                __global const real *restrict cos2_half, __global table_real *restrict f,
-                               int count_phi_i, int nodes_phi_s, int first_i, table_real subsurface_shadowed)
+                               __global const int *restrict row, Range range, table_real subsurface_shadowed)
 {
-  const Node node = node_here(count_phi_i, nodes_phi_s);
+  const Node node = node_here(range, row);
   __global const real *restrict lobe = pairs + node.pair;
   const size_t next = 3 * node.pairs;
-  const table_real above = fma(scatter[node.shadowing + node.shadowings], incidence[first_i + node.i],
+  const table_real above = fma(scatter[node.shadowing + node.shadowings], incidence[node.i],
                                scatter[node.shadowing]);
   const table_real below = fma(above, subsurface_shadowed, 1 - subsurface_shadowed);
   const real surface = gaussian_lobe(lobe, node.pairs, sin2_half[node.azimuth]);
