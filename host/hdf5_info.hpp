@@ -3,17 +3,11 @@
 
 #include <filesystem>
 #include <string>
-#include <variant>
 #include <vector>
 
+#include "host/attribute.hpp"
+
 namespace brdftab {
-
-using AttributeValue = std::variant<std::string, double, std::vector<double>>;
-
-struct AttributeInfo {
-  std::string name;
-  AttributeValue value;
-};
 
 struct VariableInfo {
   std::string name;

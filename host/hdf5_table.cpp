@@ -6,7 +6,7 @@
 
 #include "host/error.hpp"
 #include "host/hdf5_handle.hpp"
-#include "host/switches.hpp"
+#include "host/table_attributes.hpp"
 
 namespace brdftab {
 namespace {
@@ -31,7 +31,7 @@ class Hdf5Table : public TableWriter {
  public:
   Hdf5Table(const std::filesystem::path& path, const TableContent& content)
       : path_(path), precision_(content.precision), file_(create_file(path)) {
-    write_root_attributes(content);
+    write_attributes(Hdf5Handle(H5Gopen2(file_, "/", H5P_DEFAULT), path_.string()), content_attributes(content));
     if (content.material.has_wavelengths()) {
       std::vector<double> wavelengths;
       for (const auto& band : content.material.bands()) wavelengths.push_back(*band.wavelength_nm);
@@ -49,10 +49,7 @@ class Hdf5Table : public TableWriter {
     }
     for (const Polarization polarization : content.polarizations)
       samples_.push_back(create_variable(std::string(brdf_name(polarization)), dimensions_, stored_type(precision_), "sr-1",
-                                         polarization == Polarization::unpolarized
-                                             ? "bidirectional reflectance distribution function, unpolarised light"
-                                             : fmt::format("bidirectional reflectance distribution function, {}-polarised light",
-                                                           polarization_names[static_cast<std::size_t>(polarization)])));
+                                         brdf_long_name(polarization)));
     // A killed run leaves a file that opens and whose written part reads.
     hdf5_check(H5Fflush(file_, H5F_SCOPE_LOCAL), path_.string());
   }
@@ -75,22 +72,7 @@ class Hdf5Table : public TableWriter {
   void finish(const TableFindings& findings) override {
     write_integrals(findings.integrals);
     Hdf5Handle root(H5Gopen2(file_, "/", H5P_DEFAULT), path_.string());
-    double normalization_error = 0;
-    double dhr_error = 0;
-    for (const auto& band : findings.integrals) {
-      normalization_error = std::max(normalization_error, band.normalization.largest_error());
-      dhr_error = std::max(dhr_error, band.dhr.largest_error());
-    }
-    write_attribute(root, "normalization_relative_error", normalization_error);
-    write_attribute(root, "dhr_relative_error", dhr_error);
-    write_attribute(root, "energy",
-                    findings.energy_warnings.empty() ? "DHR is at most 1 at every theta_i"
-                                                     : fmt::format("{}", fmt::join(findings.energy_warnings, "; ")));
-    write_attribute(root, "accuracy", "nodes of this table compared with the scalar reference while it was made");
-    write_attribute(root, "accuracy_nodes", static_cast<double>(findings.accuracy.nodes));
-    write_attribute(root, "accuracy_max_relative_error", findings.accuracy.max_relative_error);
-    write_attribute(root, "accuracy_rms_relative_error", findings.accuracy.rms_relative_error);
-    write_reciprocity(root, findings.reciprocity);
+    write_attributes(root, findings_attributes(findings));
     root = Hdf5Handle();
     scales_.clear();
     samples_.clear();
@@ -102,74 +84,15 @@ class Hdf5Table : public TableWriter {
   void write_integrals(const std::vector<Integrals>& bands) {
     std::vector<std::string> dimensions{"theta_i"};
     if (dimensions_.size() == 5) dimensions.insert(dimensions.begin(), "wavelength");
-    const auto write = [&](const std::string& name, const std::string& long_name, auto value_at) {
-      std::vector<double> values;
-      for (const auto& band : bands)
-        for (std::size_t k = 0; k < band.normalization.value[0].size(); ++k) values.push_back(value_at(band, k));
-      const Hdf5Handle variable = create_variable(name, dimensions, H5T_IEEE_F64LE, "1", long_name);
-      hdf5_check(H5Dwrite(variable, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), path_.string());
-    };
-    for (std::size_t lobe = 0; lobe < 3; ++lobe)
-      write(fmt::format("normalization_{}", lobe_names[lobe]),
-            fmt::format("N of the {} lobe: 1 / integral of the bare lobe over direction cosines", lobe_names[lobe]),
-            [&](const Integrals& band, std::size_t k) { return band.normalization.value[lobe][k]; });
-    write("dhr", "directional-hemispherical reflectance, unpolarised light",
-          [](const Integrals& band, std::size_t k) { return band.dhr.total(k, Polarization::unpolarized); });
-    for (std::size_t lobe = 0; lobe < 3; ++lobe)
-      write(fmt::format("dhr_{}", lobe_names[lobe]),
-            fmt::format("directional-hemispherical reflectance of the {} lobe, unpolarised light", lobe_names[lobe]),
-            [&](const Integrals& band, std::size_t k) { return band.dhr.lobe(lobe, k, Polarization::unpolarized); });
+    for (const auto& integral : integral_variables(bands)) {
+      const Hdf5Handle variable = create_variable(integral.name, dimensions, H5T_IEEE_F64LE, "1", integral.long_name);
+      hdf5_check(H5Dwrite(variable, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, integral.values.data()), path_.string());
+    }
   }
 
-  // A number, or one for each wavelength.
-  void write_reciprocity(hid_t root, const std::vector<Reciprocity>& bands) {
-    const auto write = [&](const std::string& name, double Reciprocity::*member) {
-      std::vector<double> values;
-      for (const auto& band : bands) values.push_back(band.*member);
-      if (values.size() == 1)
-        write_attribute(root, name, values[0]);
-      else
-        write_attribute(root, name, values);
-    };
-    write_attribute(root, "reciprocity", reciprocity_grid);
-    std::vector<double> pairs;
-    for (const auto& band : bands) pairs.push_back(static_cast<double>(band.pairs));
-    if (pairs.size() == 1)
-      write_attribute(root, "reciprocity_pairs", pairs[0]);
-    else
-      write_attribute(root, "reciprocity_pairs", pairs);
-    write("reciprocity_median", &Reciprocity::median);
-    write("reciprocity_90_percent", &Reciprocity::percentile_90);
-    write("reciprocity_max", &Reciprocity::maximum);
-    write("reciprocity_max_theta_i", &Reciprocity::theta_i);
-    write("reciprocity_max_theta_s", &Reciprocity::theta_s);
-    write("reciprocity_max_phi", &Reciprocity::phi);
-  }
-
-  void write_root_attributes(const TableContent& content) {
-    const Hdf5Handle root(H5Gopen2(file_, "/", H5P_DEFAULT), path_.string());
-    const Material& material = content.material;
-    const auto text = [&](const char* name, std::string_view value) {
-      if (!value.empty()) write_attribute(root, name, value);
-    };
-    text("Conventions", "CF-1.10");
-    text("title", fmt::format("BRDF of {}", material.name()));
-    text("source", program_source);
-    text("references", paper_reference);
-    text("history", content.history);
-    text("description", material.description());
-    text("material_source", material.source());
-    text("material_license", material.license());
-    text("material", material.text());
-    if (!material.has_wavelengths())
-      for (const auto& row : parameter_table)
-        write_attribute(root, std::string(row.name), material.bands().front().parameters.*row.member);
-    for (const auto& row : switch_table()) text(std::string(row.name).c_str(), choice_name(row, material.switches()));
-    text("azimuth_convention", azimuth_convention);
-    text("grid_registration", "node");
-    text("device", content.device);
-    text("build_options", content.build_options);
-    text("working_precision", name_of(content.working));
+  void write_attributes(hid_t root, const std::vector<AttributeInfo>& attributes) {
+    for (const auto& attribute : attributes)
+      std::visit([&](const auto& value) { write_attribute(root, attribute.name, value); }, attribute.value);
   }
 
   void create_scale(const std::string& name, std::span<const double> nodes, std::string_view units, std::string_view long_name,
