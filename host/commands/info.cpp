@@ -2,8 +2,8 @@
 #include <nlohmann/json.hpp>
 
 #include "host/commands/command.hpp"
-#include "host/hdf5_info.hpp"
 #include "host/numbers.hpp"
+#include "host/table_reader.hpp"
 
 namespace brdftab {
 namespace {
@@ -75,10 +75,11 @@ std::function<ExitStatus()> info_command(CLI::App& parser, const CommonOptions&)
     bool json = false;
   };
   auto options = std::make_shared<Options>();
-  parser.add_option("TABLE", options->table, "Table file (HDF5)")->required();
-  parser.add_flag("--json", options->json, "As JSON, axes and one-dimensional variables with their values");
+  parser.add_option("TABLE", options->table, "Table file, or the folder of an OpenEXR table in files")->required();
+  parser.add_flag("--json", options->json, "As JSON, with the values of axes, N and DHR");
   return [options] {
-    const TableInfo info = read_hdf5_info(options->table);
+    const auto table = open_table(options->table);
+    const TableInfo& info = table->info();
     if (options->json)
       fmt::print("{}\n", as_json(info).dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
     else
