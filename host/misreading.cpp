@@ -53,7 +53,7 @@ std::vector<Mistake> mistakes(const Grid& grid) {
   }
   for (std::size_t a = 0; a < 4; ++a)
     for (std::size_t b = a + 1; b < 4; ++b) {
-      if (shape[a] == 1 && shape[b] == 1) continue;
+      if (shape[a] == 1 || shape[b] == 1) continue;  // no change, or the same as exchanging two others
       list.push_back({fmt::format("the axes {} and {} are swapped", axis_table[a].name, axis_table[b].name),
                       [&grid, shape, a, b](const Index& index) {
                         // The samples' order with the two axes exchanged, whatever their lengths.
