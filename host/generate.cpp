@@ -51,7 +51,8 @@ GenerateSummary generate(const Engine& engine, const Material& material, const G
                              .working = engine.working(),
                              .device = engine.device().description(),
                              .build_options = engine.build_options(),
-                             .history = options.history};
+                             .history = options.history,
+                             .grid_choice = options.grid_choice};
   const auto cuts = slabs(grid, std::max<std::size_t>(options.slab_bytes / node_bytes, 1));
   const std::size_t largest =
       std::max_element(cuts.begin(), cuts.end(), [](const Slab& a, const Slab& b) { return a.nodes() < b.nodes(); })->nodes();

@@ -7,6 +7,7 @@
 #include <ctime>
 
 #include "host/commands/command.hpp"
+#include "host/commands/interpolation_option.hpp"
 #include "host/exr_table.hpp"
 #include "host/hdf5_table.hpp"
 #include "host/numbers.hpp"
@@ -26,6 +27,7 @@ struct Options {
   std::optional<std::string> device;
   std::optional<std::string> exr_layout;
   std::optional<std::string> exr_compression;
+  InterpolationOption interpolation;
   bool force = false;
 };
 
@@ -106,6 +108,7 @@ fs::path file_in_folder(const fs::path& folder, const std::string& material, con
 }
 
 ExitStatus run(const Options& options, const CommonOptions& common) {
+  options.interpolation.check();
   std::error_code error;
   const bool is_folder = fs::is_directory(options.output, error);
   const bool folder = options.materials.size() > 1 || options.output.ends_with('/') || is_folder;
@@ -143,7 +146,11 @@ ExitStatus run(const Options& options, const CommonOptions& common) {
   generate_options.quiet = common.quiet;
   generate_options.force = options.force;
   generate_options.history = history(common);
-  for (const Task& task : tasks) {
+  for (Task& task : tasks) {
+    if (options.interpolation.asked())
+      generate_options.grid_choice =
+          options.interpolation.choose(engine, task.material, generate_options.polarizations, task.grid);
+    if (options.interpolation.dry_run()) continue;
     const auto summary = generate(
         engine, task.material, task.grid, task.target,
         [&](const fs::path& file, const TableContent& content) { return format.create(file, content, options); },
@@ -176,6 +183,7 @@ std::function<ExitStatus()> generate_command(CLI::App& parser, const CommonOptio
       ->check(CLI::IsMember({"unpolarized", "s", "p", "all"}));
   parser.add_option("--precision", options->precision, "Samples as float32 (default) or float64")
       ->check(CLI::IsMember({"float32", "float64"}));
+  options->interpolation.add(parser);
   parser
       .add_option("--exr-layout", options->exr_layout,
                   "OpenEXR: parts (default; a part for each slice), tiles (one image, a tile for each slice) or files (a folder "
