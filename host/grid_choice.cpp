@@ -22,7 +22,8 @@ constexpr int refinements = 20;
 // Angles in files are short; far below any lobe's width.
 constexpr double angle_step = 1e-6;
 constexpr double uniform_growth = 1.05;
-constexpr std::size_t most_uniform = 50'000;
+constexpr std::size_t most_uniform = 200'000;
+constexpr double most_uniform_factor = 10;
 
 AngleRange range_of(const Axis& axis) { return {axis.nodes().front(), axis.nodes().back()}; }
 
@@ -39,6 +40,8 @@ std::vector<double> uniform_axis(AngleRange range, std::size_t nodes) {
   result.back() = range.last;
   return result;
 }
+
+std::size_t scaled(std::size_t nodes, double factor) { return static_cast<std::size_t>(static_cast<double>(nodes) * factor); }
 
 double nodes_of(const std::array<std::vector<double>, 3>& axes) {
   double product = 1;
@@ -223,20 +226,28 @@ std::vector<GridAtError> GridChooser::other_sizes() {
 UniformNeed GridChooser::uniform_need(bool uniform_directions) {
   const Points points = draw(next_seed_++);
   const std::array ranges{range_of(ranges_.theta_i), range_of(ranges_.theta_s), range_of(ranges_.phi_s)};
-  UniformNeed need{{1, 1, 1}};
+  const auto within = [&](const Axes& uniform) {
+    const GridError error = measure(uniform, points);
+    return (uniform_directions ? error.uniform_maximum : error.maximum) <= error_;
+  };
+  UniformNeed need{{{1, 1, 1}}, {{1, 1, 1}}};
   for (std::size_t a = 0; a < 3; ++a) {
     if (!density_of_[a]) continue;
-    std::size_t nodes = 2;
-    while (nodes < most_uniform) {
-      Axes one;
+    std::size_t& nodes = need.alone.nodes[a] = 2;
+    for (Axes one; nodes < most_uniform; nodes = std::max(nodes + 1, scaled(nodes, uniform_growth))) {
       one[a] = uniform_axis(ranges[a], nodes);
-      const GridError alone = measure(one, points);
-      if ((uniform_directions ? alone.uniform_maximum : alone.maximum) <= error_) break;
-      nodes = std::max(nodes + 1, static_cast<std::size_t>(static_cast<double>(nodes) * uniform_growth));
+      if (within(one)) break;
     }
-    need.nodes[a] = nodes;
   }
-  return need;
+  for (double factor = 1;; factor *= uniform_growth) {
+    Axes all;
+    for (std::size_t a = 0; a < 3; ++a) {
+      if (!density_of_[a]) continue;
+      need.together.nodes[a] = scaled(need.alone.nodes[a], factor);
+      all[a] = uniform_axis(ranges[a], need.together.nodes[a]);
+    }
+    if (factor > most_uniform_factor || within(all)) return need;
+  }
 }
 
 std::vector<AttributeInfo> GridChooser::attributes(const GridError& reached) const {

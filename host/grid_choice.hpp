@@ -22,10 +22,17 @@ struct GridAtError {
   GridError error;
 };
 
-/// What a uniform grid needs at least: the fewest nodes with which each axis alone is within the error.
-struct UniformNeed {
-  std::array<std::size_t, 3> nodes;  // theta_i, theta_s, phi_s
+/// Nodes of uniform axes: theta_i, theta_s, phi_s.
+struct UniformAxes {
+  std::array<std::size_t, 3> nodes;
   double product() const { return static_cast<double>(nodes[0]) * static_cast<double>(nodes[1]) * static_cast<double>(nodes[2]); }
+};
+
+struct UniformNeed {
+  /// The fewest nodes with which each axis alone, the others exact, is within the error: no uniform grid has fewer.
+  UniformAxes alone;
+  /// These, scaled until they are together.
+  UniformAxes together;
 };
 
 class GridChooser {

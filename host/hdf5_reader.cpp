@@ -96,7 +96,8 @@ VariableInfo variable_of(hid_t file, const std::string& name) {
                         .is_axis = H5DSis_scale(dataset) > 0,
                         .values = {}};
   variable.dimensions = variable.is_axis ? std::vector{name} : dimensions_of(dataset, variable.shape.size());
-  if (variable.shape.size() == 1 || variable.shape.size() == 2) {
+  const bool numeric = H5Tget_class(type) == H5T_FLOAT || H5Tget_class(type) == H5T_INTEGER;
+  if (numeric && (variable.shape.size() == 1 || variable.shape.size() == 2)) {
     variable.values.resize(variable.shape.size() == 1 ? variable.shape[0] : variable.shape[0] * variable.shape[1]);
     hdf5_check(H5Dread(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, variable.values.data()), name);
   }

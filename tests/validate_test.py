@@ -274,6 +274,20 @@ class Damaged(InFolder):
                 self.edit(table, change)
                 self.assert_fault(table, *words)
 
+    def test_attribute_of_openexr_edited(self):
+        table = self.make("--exr-layout", "tiles", name="table.exr")
+        edited = self.folder / "edited.exr"
+        subprocess.run(["oiiotool", table, "--attrib:type=string", "brdf:normalization", "reciprocal", "-o", edited], check=True)
+        self.assert_fault(edited, "normalization is 'reciprocal'", "'hemispherical'")
+
+    def test_pixel_of_openexr_changed(self):
+        table = self.make(name="table.exr")
+        # Uncompressed: the last float of the file is the last node.
+        whole = bytearray(table.read_bytes())
+        whole[-4:] = numpy.float32(numpy.frombuffer(whole[-4:], "float32")[0] * 1.0001).tobytes()
+        table.write_bytes(whole)
+        self.assert_fault(table, "1 of 2025 nodes", "theta_i = 80, phi_i = 120, theta_s = 80, phi_s = 180")
+
     def test_material_text_edited(self):
         table = self.make()
 

@@ -25,9 +25,13 @@ void print_sizes(GridChooser& chooser, const Material& material, const GridAtErr
   print_size(chosen, fmt::format("chosen for {}", shortest(error)));
   for (const bool uniform_directions : {false, true}) {
     const UniformNeed need = chooser.uniform_need(uniform_directions);
-    fmt::print("{:>13.0f} {:>28} {:>32}  uniform axes need at least this{}: each of them alone within {}\n", need.product(),
-               sizes(need.nodes[0], 1, need.nodes[1], need.nodes[2]), "",
-               uniform_directions ? ", at directions uniform in the angles" : "", shortest(error));
+    const auto print_axes = [&](const UniformAxes& axes, std::string_view remark) {
+      fmt::print("{:>13.0f} {:>28} {:>32}  uniform axes, {} within {}{}\n", axes.product(),
+                 sizes(axes.nodes[0], 1, axes.nodes[1], axes.nodes[2]), "", remark, shortest(error),
+                 uniform_directions ? ", at uniform directions only" : "");
+    };
+    print_axes(need.alone, "each alone");
+    print_axes(need.together, "together");
   }
 }
 
