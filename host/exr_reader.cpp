@@ -40,7 +40,7 @@ std::optional<std::string> text_of(const Imf::Header& header, std::string_view n
   return attribute ? std::optional(attribute->value()) : std::nullopt;
 }
 
-// One of the first nodes' angles; files keep doubles whole.
+// The node that a slice's angle names: attributes keep doubles whole, so that they are equal.
 std::optional<std::size_t> index_of(const std::vector<double>& axis, const Imf::Header& header, std::string_view name) {
   const auto* angle = header.findTypedAttribute<Imf::DoubleAttribute>(std::string(name));
   if (!angle) return std::nullopt;
@@ -66,9 +66,8 @@ class ExrReader : public TableReader {
   const TableInfo& info() const override { return info_; }
 
   void read(Polarization polarization, std::size_t band, const Slab& box, std::span<double> samples) override {
-    const auto& wavelengths = wavelengths_;
     const std::string channel =
-        exr_channel(polarization, wavelengths.empty() ? std::nullopt : std::optional(wavelengths.at(band)));
+        exr_channel(polarization, wavelengths_.empty() ? std::nullopt : std::optional(wavelengths_.at(band)));
     guarded([&] {
       if (tiles_)
         read_tiles(channel, box, samples);

@@ -70,7 +70,7 @@ class ExrTable : public TableWriter {
         grid_(content.grid),
         slices_(grid_.theta_i.size() * grid_.phi_i.size()),
         channels_(channels()),
-        scratch_(path, (require_representable(), channels_.size() * grid_.directions() * sizeof(float))) {}
+        scratch_(path, scratch_bytes()) {}
 
   void write(std::size_t polarization, std::size_t band, const Slab& slab, std::span<const std::byte> samples) override {
     const std::size_t slice = slab.theta_i.begin * grid_.phi_i.size() + slab.phi_i.begin;
@@ -107,6 +107,11 @@ class ExrTable : public TableWriter {
       throw BadInput("{}: OpenEXR's spectral channels tell wavelengths apart by 1e-6 nm; two bands are nearer",
                      content_.material.name());
     return names;
+  }
+
+  std::size_t scratch_bytes() const {
+    require_representable();
+    return channels_.size() * grid_.directions() * sizeof(float);
   }
 
   void require_representable() const {

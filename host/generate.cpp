@@ -15,9 +15,6 @@ namespace brdftab {
 namespace {
 
 constexpr double most_samples = 1e13;
-// What a table promises of its samples; see the ladder of tests.
-constexpr double promised_float32 = 1e-6;
-constexpr double promised_float64 = 1e-12;
 
 // A writer knows the partial file only; its user, the table's name.
 template <class Work>
@@ -89,7 +86,7 @@ GenerateSummary generate(const Engine& engine, const Material& material, const G
     ring.drain();
   }
   findings.accuracy = spot_check.compare();
-  const double promised = engine.table() == Precision::float64 ? promised_float64 : promised_float32;
+  const double promised = promised_error(engine.table());
   if (engine.working() == Precision::float64 && !(findings.accuracy.max_relative_error <= promised))
     throw Error(ExitStatus::check_failed,
                 "{}: not written: a sample differs from the scalar reference by {:.1e}, more than {:.0e}; the device or its "

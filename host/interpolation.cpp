@@ -52,14 +52,6 @@ struct Collectors {
   InterpolationKind take() { return {linear.take(), logarithmic.take()}; }
 };
 
-// Spread over the whole, both ends included.
-std::vector<std::size_t> spread(std::size_t count, std::size_t most) {
-  std::vector<std::size_t> result;
-  const std::size_t taken = std::min(count, most);
-  for (std::size_t k = 0; k < taken; ++k) result.push_back(taken == 1 ? 0 : k * (count - 1) / (taken - 1));
-  return result;
-}
-
 // The slices round one cell of (theta_i, phi_i), all their nodes.
 class CellSlices {
  public:
@@ -143,7 +135,7 @@ InterpolationErrors interpolation_errors(const Engine& engine, TableReader& read
 
   std::mt19937_64 random(20080103);
   std::set<std::pair<std::size_t, std::size_t>> incidences;
-  const auto theta_i = spread(cells[0], most_incidences);
+  const auto theta_i = spread_indices(cells[0], most_incidences);
   if (theta_i.size() * cells[1] <= most_slices) {
     for (const auto i : theta_i)
       for (std::size_t p = 0; p < cells[1]; ++p) incidences.emplace(i, p);

@@ -21,7 +21,7 @@ constexpr std::size_t most_incidences = 64;
 constexpr std::size_t random_incidences = 32;
 constexpr std::size_t rows_by_default = 64;
 // Nodes that the kernels find furthest off are judged by the reference.
-constexpr std::size_t most_suspects = 4096;
+constexpr std::size_t most_suspects = 256;
 constexpr double suspect_share = 0.25;
 
 double relative_error(double stored, double expected) {
@@ -105,9 +105,11 @@ class Suspects {
   std::vector<Node> nodes_;
 };
 
-// Adds nodes that the reference has evaluated; random ones count for the mean.
+// Adds nodes that the reference has evaluated; suspects do not count for the mean.
 struct Comparison {
   NodeFindings& findings;
+  double tolerance;
+  std::size_t over_tolerance = 0;
   double sum = 0;
   std::size_t counted = 0;
 
@@ -119,6 +121,7 @@ struct Comparison {
         ++findings.negligible;
         continue;
       }
+      if (error > tolerance) ++over_tolerance;
       if (!findings.worst || error > findings.max_relative_error) {
         findings.max_relative_error = error;
         findings.worst = node;
@@ -167,7 +170,7 @@ NodeFindings check_nodes(const Engine& engine, std::vector<Plan>& plans, const s
   const auto cuts = slabs(table.grid, slab_nodes);
   const bool kernels_decide = engine.working() == Precision::float64;
   NodeFindings findings;
-  Comparison comparison{findings};
+  Comparison comparison{findings, tolerance};
   Suspects suspects;
   std::vector<Node> reference_nodes;
   std::vector<double> stored, kernel;
@@ -215,17 +218,10 @@ NodeFindings check_nodes(const Engine& engine, std::vector<Plan>& plans, const s
   comparison.add(reference_nodes, false);
   auto doubtful = suspects.take();
   if (!selection.all) {
-    // Most widely spread first, so that few theta_i are integrated: a few of the worst say enough.
-    std::sort(doubtful.begin(), doubtful.end(), [](const Node& a, const Node& b) { return a.error() > b.error(); });
-    doubtful.resize(std::min<std::size_t>(doubtful.size(), 256));
     evaluate_nodes(models, table, doubtful);
     comparison.add(doubtful, true);
   }
-  if (!kernels_decide) {
-    for (const auto& list : {reference_nodes, doubtful})
-      findings.over_tolerance +=
-          static_cast<std::size_t>(std::count_if(list.begin(), list.end(), [&](const Node& n) { return n.error() > tolerance; }));
-  }
+  if (!kernels_decide) findings.over_tolerance = comparison.over_tolerance;
   return findings;
 }
 

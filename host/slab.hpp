@@ -25,6 +25,9 @@ struct Slab {
   std::size_t nodes() const { return theta_i.size() * phi_i.size() * theta_s.size() * phi_s; }
 };
 
+/// At most `most` of the indices below `count`, spread evenly, both ends included.
+std::vector<std::size_t> spread_indices(std::size_t count, std::size_t most);
+
 /// Cuts a grid, in the table's order, into slabs of at most `most_nodes` (or one row of phi_s).
 std::vector<Slab> slabs(const Grid& grid, std::size_t most_nodes);
 

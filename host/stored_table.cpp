@@ -171,8 +171,6 @@ class Rebuilder {
 
 }  // namespace
 
-double promised_error(Precision precision) { return precision == Precision::float64 ? 1e-12 : 1e-6; }
-
 StoredTable rebuild(const TableInfo& info, const std::string& file) { return Rebuilder(info, file).rebuild(); }
 
 }  // namespace brdftab

@@ -23,9 +23,6 @@ struct StoredTable {
   std::vector<std::string> faults;
 };
 
-/// What a sample promises: the ladder's figure for the precision.
-double promised_error(Precision precision);
-
 /// Throws Error (exit status 1) that names what makes the file no table: a variable that is missing or has another shape,
 /// dimensions in another order, units, an axis that is none.
 StoredTable rebuild(const TableInfo& info, const std::string& file);

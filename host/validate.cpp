@@ -31,13 +31,6 @@ double relative(double stored, double expected) {
   return std::isfinite(error) ? error : INFINITY;
 }
 
-std::vector<std::size_t> spread(std::size_t count, std::size_t most) {
-  std::vector<std::size_t> result;
-  const std::size_t taken = std::min(count, most);
-  for (std::size_t k = 0; k < taken; ++k) result.push_back(taken == 1 ? 0 : k * (count - 1) / (taken - 1));
-  return result;
-}
-
 class Validator {
  public:
   Validator(const Engine& engine, TableReader& reader, const StoredTable& table, const ValidateOptions& options)
@@ -114,7 +107,7 @@ class Validator {
       const auto stored = [&](const std::string& name, std::size_t k) {
         return reader_.info().variable(name)->values[band * angles + k];
       };
-      for (const std::size_t k : spread(angles, all ? angles : reference_normalization_angles)) {
+      for (const std::size_t k : spread_indices(angles, all ? angles : reference_normalization_angles)) {
         stop_if_interrupted();
         for (std::size_t lobe = 0; lobe < 3; ++lobe) {
           const std::string name = fmt::format("normalization_{}", lobe_names[lobe]);
@@ -124,7 +117,7 @@ class Validator {
       }
       // The variant that integrates N at every node of DHR would take minutes.
       if (table_.material.switches().normalization == Normalization::reciprocal && !all) continue;
-      for (const std::size_t k : spread(angles, all ? angles : reference_dhr_angles)) {
+      for (const std::size_t k : spread_indices(angles, all ? angles : reference_dhr_angles)) {
         stop_if_interrupted();
         const auto dhr = models_[band].dhr(table_.grid.theta_i[k]).unpolarized();
         const std::array values{dhr.surface.value, dhr.bulk.value, dhr.retro.value};
@@ -185,7 +178,7 @@ class Validator {
       if (at != nodes.end() && *at == grid.theta_i[i]) common.push_back({i, static_cast<std::size_t>(at - nodes.begin())});
     }
     std::vector<Common> chosen;
-    for (const std::size_t k : spread(common.size(), reciprocity_angles)) chosen.push_back(common[k]);
+    for (const std::size_t k : spread_indices(common.size(), reciprocity_angles)) chosen.push_back(common[k]);
     const std::size_t columns = grid.phi_s.size();
     std::vector<std::vector<double>> rows(chosen.size() * chosen.size(), std::vector<double>(columns));
     for (std::size_t a = 0; a < chosen.size(); ++a) {
