@@ -82,8 +82,7 @@ class ExrTable : public TableWriter {
   void finish(const TableFindings& findings) override {
     const bool zip = options_.compression == ExrCompression::zip;
     Imf::setGlobalThreadCount(zip ? static_cast<int>(std::thread::hardware_concurrency()) : 0);
-    const auto samples = scratch_.map();
-    samples_ = reinterpret_cast<const char*>(samples.data());
+    samples_.resize(channels_.size() * slice_nodes());
     try {
       if (options_.layout == ExrLayout::parts)
         write_parts(findings);
@@ -174,19 +173,22 @@ class ExrTable : public TableWriter {
     for (const auto& attribute : findings_attributes(findings)) insert(header, prefixed(attribute.name), attribute.value);
   }
 
-  // A slice's samples as the image whose pixel (0, 0) is its first node.
-  Imf::FrameBuffer frame(std::size_t slice, bool tile) const {
+  std::size_t slice_nodes() const { return grid_.theta_s.size() * grid_.phi_s.size(); }
+
+  // Reads a slice; its samples as the image whose pixel (0, 0) is its first node.
+  Imf::FrameBuffer frame(std::size_t slice, bool tile) {
     const std::size_t row = grid_.phi_s.size() * sizeof(float);
     Imf::FrameBuffer buffer;
     for (std::size_t k = 0; k < channels_.size(); ++k) {
-      // OpenEXR's frame buffers are for reading, too; nothing is written through this one.
-      char* base = const_cast<char*>(samples_) + k * grid_.directions() * sizeof(float) + slice * grid_.theta_s.size() * row;
-      buffer.insert(channels_[k], Imf::Slice(Imf::FLOAT, base, sizeof(float), row, 1, 1, 0, tile, tile));
+      const std::span<float> samples = std::span(samples_).subspan(k * slice_nodes(), slice_nodes());
+      scratch_.read((k * grid_.directions() + slice * slice_nodes()) * sizeof(float), std::as_writable_bytes(samples));
+      buffer.insert(channels_[k],
+                    Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(samples.data()), sizeof(float), row, 1, 1, 0, tile, tile));
     }
     return buffer;
   }
 
-  void write_scanlines(const fs::path& file, const std::vector<Imf::Header>& headers, std::size_t first_slice) const {
+  void write_scanlines(const fs::path& file, const std::vector<Imf::Header>& headers, std::size_t first_slice) {
     ExrStream stream(file);
     {
       Imf::MultiPartOutputFile out(stream, headers.data(), static_cast<int>(headers.size()));
@@ -207,14 +209,14 @@ class ExrTable : public TableWriter {
     return result;
   }
 
-  void write_parts(const TableFindings& findings) const {
+  void write_parts(const TableFindings& findings) {
     std::vector<Imf::Header> headers;
     for (std::size_t slice = 0; slice < slices_; ++slice) headers.push_back(slice_header(slice));
     describe_table(headers.front(), findings);
     write_scanlines(path_, headers, 0);
   }
 
-  void write_files(const TableFindings& findings) const {
+  void write_files(const TableFindings& findings) {
     const ScratchFolder folder(path_.string() + ".slices");
     for (std::size_t slice = 0; slice < slices_; ++slice) {
       Imf::Header one = slice_header(slice);
@@ -225,7 +227,7 @@ class ExrTable : public TableWriter {
     fs::rename(folder.path(), path_);
   }
 
-  void write_tiles(const TableFindings& findings) const {
+  void write_tiles(const TableFindings& findings) {
     Imf::Header whole = header(grid_.phi_s.size() * grid_.phi_i.size(), grid_.theta_s.size() * grid_.theta_i.size());
     whole.setTileDescription(
         {static_cast<unsigned>(grid_.phi_s.size()), static_cast<unsigned>(grid_.theta_s.size()), Imf::ONE_LEVEL});
@@ -251,7 +253,7 @@ class ExrTable : public TableWriter {
   std::size_t slices_;
   std::vector<std::string> channels_;
   ScratchFile scratch_;
-  const char* samples_ = nullptr;
+  std::vector<float> samples_;  // of a slice, [channel][theta_s][phi_s]
 };
 
 }  // namespace

@@ -1,7 +1,6 @@
 #include "host/scratch_file.hpp"
 
 #include <fcntl.h>
-#include <sys/mman.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -16,7 +15,7 @@ namespace {
 
 }  // namespace
 
-ScratchFile::ScratchFile(const std::filesystem::path& output, std::size_t bytes) : bytes_(bytes) {
+ScratchFile::ScratchFile(const std::filesystem::path& output, std::size_t bytes) {
   std::string name = output.string() + ".XXXXXX";
   descriptor_ = mkostemp(name.data(), O_CLOEXEC);
   if (descriptor_ < 0) fail("scratch file", errno);
@@ -27,10 +26,7 @@ ScratchFile::ScratchFile(const std::filesystem::path& output, std::size_t bytes)
   }
 }
 
-ScratchFile::~ScratchFile() {
-  if (mapped_) munmap(mapped_, bytes_);
-  close(descriptor_);
-}
+ScratchFile::~ScratchFile() { close(descriptor_); }
 
 void ScratchFile::write(std::size_t offset, std::span<const std::byte> bytes) {
   while (!bytes.empty()) {
@@ -42,13 +38,14 @@ void ScratchFile::write(std::size_t offset, std::span<const std::byte> bytes) {
   }
 }
 
-std::span<const std::byte> ScratchFile::map() {
-  if (!mapped_) {
-    void* at = mmap(nullptr, bytes_, PROT_READ, MAP_SHARED, descriptor_, 0);
-    if (at == MAP_FAILED) fail("scratch file of the samples", errno);
-    mapped_ = at;
+void ScratchFile::read(std::size_t offset, std::span<std::byte> bytes) const {
+  while (!bytes.empty()) {
+    const ssize_t got = pread(descriptor_, bytes.data(), bytes.size(), static_cast<off_t>(offset));
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) fail("scratch file of the samples", got < 0 ? errno : EIO);
+    bytes = bytes.subspan(static_cast<std::size_t>(got));
+    offset += static_cast<std::size_t>(got);
   }
-  return {static_cast<const std::byte*>(mapped_), bytes_};
 }
 
 }  // namespace brdftab

@@ -17,13 +17,10 @@ class ScratchFile {
 
   void write(std::size_t offset, std::span<const std::byte> bytes);
 
-  /// All of it, for reading.
-  std::span<const std::byte> map();
+  void read(std::size_t offset, std::span<std::byte> bytes) const;
 
  private:
-  std::size_t bytes_;
   int descriptor_ = -1;
-  void* mapped_ = nullptr;
 };
 
 }  // namespace brdftab
