@@ -100,7 +100,7 @@ class Choice(InFolder):
         self.assertLessEqual(errors[6], 0.05)
         self.assertIn("chosen for 0.05", result.stdout)
         self.assertEqual(len(uniform), 4)
-        self.assertLess(chosen, min(uniform) / 10)
+        self.assertLess(chosen, min(uniform) / 4)
 
     def test_refusals(self):
         def refused(*options):
