@@ -20,7 +20,7 @@ constexpr int bisections = 14;
 constexpr double refinement = 1.06;
 constexpr int refinements = 20;
 // Angles in files are short; far below any lobe's width.
-constexpr double angle_step = 1e-6;
+constexpr double angles_per_degree = 1e6;
 constexpr double uniform_growth = 1.05;
 constexpr std::size_t most_uniform = 200'000;
 constexpr double most_uniform_factor = 10;
@@ -28,7 +28,7 @@ constexpr double most_uniform_factor = 10;
 AngleRange range_of(const Axis& axis) { return {axis.nodes().front(), axis.nodes().back()}; }
 
 std::vector<double> rounded(std::vector<double> nodes) {
-  for (std::size_t k = 1; k + 1 < nodes.size(); ++k) nodes[k] = std::round(nodes[k] / angle_step) * angle_step;
+  for (std::size_t k = 1; k + 1 < nodes.size(); ++k) nodes[k] = std::round(nodes[k] * angles_per_degree) / angles_per_degree;
   nodes.erase(std::unique(nodes.begin(), nodes.end(), [](double a, double b) { return !(b > a); }), nodes.end());
   return nodes;
 }

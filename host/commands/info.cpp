@@ -43,11 +43,11 @@ void print_text(const std::string& name, const TableInfo& info) {
   for (const auto& attribute : info.attributes) {
     if (const auto* text = std::get_if<std::string>(&attribute.value)) {
       if (attribute.name == "material") continue;
-      fmt::print("  {:<28} {}\n", attribute.name, *text);
+      fmt::print("  {:<39} {}\n", attribute.name, *text);
     } else if (const auto* number = std::get_if<double>(&attribute.value)) {
-      fmt::print("  {:<28} {}\n", attribute.name, shortest(*number));
+      fmt::print("  {:<39} {}\n", attribute.name, shortest(*number));
     } else {
-      fmt::print("  {:<28} {}\n", attribute.name, fmt::join(std::get<std::vector<double>>(attribute.value), ", "));
+      fmt::print("  {:<39} {}\n", attribute.name, fmt::join(std::get<std::vector<double>>(attribute.value), ", "));
     }
   }
   for (const auto& attribute : info.attributes)
