@@ -19,9 +19,6 @@ namespace brdftab {
 namespace {
 
 constexpr double most_samples = 1e13;
-// What a table promises of its samples; see the ladder of tests.
-constexpr double promised_float32 = 1e-6;
-constexpr double promised_float64 = 1e-12;
 
 // A writer knows the partial file only; its user, the table's name.
 template <class Work>
@@ -38,6 +35,14 @@ double seconds(Work work) {
   const auto start = std::chrono::steady_clock::now();
   work();
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+// Of a file, or of a folder of slices.
+std::size_t stored_bytes(const std::filesystem::path& path) {
+  if (!std::filesystem::is_directory(path)) return std::filesystem::file_size(path);
+  std::size_t bytes = 0;
+  for (const auto& slice : std::filesystem::directory_iterator(path)) bytes += slice.file_size();
+  return bytes;
 }
 
 std::string description_of(std::span<const Engine* const> engines) {
@@ -75,7 +80,8 @@ GenerateSummary generate(std::span<const Engine* const> engines, const Material&
                              .storage = options.storage,
                              .device = description_of(engines),
                              .build_options = engine.build_options(),
-                             .history = options.history};
+                             .history = options.history,
+                             .grid_choice = options.grid_choice};
   const Chunk chunk = options.storage.deflate_level > 0 ? chunk_shape(grid, node_bytes) : Chunk{};
   const auto cuts = slabs(grid, std::max<std::size_t>(options.slab_bytes / node_bytes, 1), chunk);
   const std::size_t largest =
@@ -144,7 +150,7 @@ GenerateSummary generate(std::span<const Engine* const> engines, const Material&
     ring.drain();
   }
   findings.accuracy = spot_check.compare();
-  double promised = engine.table() == Precision::float64 ? promised_float64 : promised_float32;
+  double promised = promised_error(engine.table());
   if (options.storage.keep_bits) promised += (1 + promised) * rounding_error(*options.storage.keep_bits);
   if (engine.working() == Precision::float64 && !(findings.accuracy.max_relative_error <= promised))
     throw Error(ExitStatus::check_failed,
@@ -153,7 +159,7 @@ GenerateSummary generate(std::span<const Engine* const> engines, const Material&
                 target.string(), findings.accuracy.max_relative_error, promised);
   stop_if_interrupted();
   naming(target, [&] { writer->finish(findings); });
-  const std::size_t file_bytes = std::filesystem::file_size(file.path());
+  const std::size_t file_bytes = stored_bytes(file.path());
   file.commit();
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   return {dense, dense * node_bytes, file_bytes, elapsed.count(), stages, std::move(findings)};

@@ -20,6 +20,7 @@ struct GenerateOptions {
   bool quiet = false;
   bool force = false;
   std::string history;
+  std::vector<AttributeInfo> grid_choice;  // see TableContent
   std::size_t slab_bytes = 16u << 20;
 };
 

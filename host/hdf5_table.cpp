@@ -10,9 +10,8 @@
 #include "host/hdf5_chunks.hpp"
 #include "host/hdf5_handle.hpp"
 #include "host/hdf5_view.hpp"
-#include "host/mantissa.hpp"
 #include "host/page_cache_window.hpp"
-#include "host/switches.hpp"
+#include "host/table_attributes.hpp"
 
 namespace brdftab {
 namespace {
@@ -65,10 +64,11 @@ class Hdf5Table : public TableWriter {
       : path_(path),
         precision_(content.precision),
         storage_(content.storage),
+        rounding_attributes_(rounding_attributes(content)),
         file_(create_file(path, content.storage.layout)),
         page_cache_(path, sample_bytes(content)) {
     if (storage_.deflate_level > 0) chunks_.emplace(content.grid, bytes_of(precision_), storage_.deflate_level);
-    write_root_attributes(content);
+    write_attributes(Hdf5Handle(H5Gopen2(file_, "/", H5P_DEFAULT), path_.string()), content_attributes(content));
     if (content.material.has_wavelengths()) {
       std::vector<double> wavelengths;
       for (const auto& band : content.material.bands()) wavelengths.push_back(*band.wavelength_nm);
@@ -124,22 +124,7 @@ class Hdf5Table : public TableWriter {
   void finish(const TableFindings& findings) override {
     write_integrals(findings.integrals);
     Hdf5Handle root(H5Gopen2(file_, "/", H5P_DEFAULT), path_.string());
-    double normalization_error = 0;
-    double dhr_error = 0;
-    for (const auto& band : findings.integrals) {
-      normalization_error = std::max(normalization_error, band.normalization.largest_error());
-      dhr_error = std::max(dhr_error, band.dhr.largest_error());
-    }
-    write_attribute(root, "normalization_relative_error", normalization_error);
-    write_attribute(root, "dhr_relative_error", dhr_error);
-    write_attribute(root, "energy",
-                    findings.energy_warnings.empty() ? "DHR is at most 1 at every theta_i"
-                                                     : fmt::format("{}", fmt::join(findings.energy_warnings, "; ")));
-    write_attribute(root, "accuracy", "nodes of this table compared with the scalar reference while it was made");
-    write_attribute(root, "accuracy_nodes", static_cast<double>(findings.accuracy.nodes));
-    write_attribute(root, "accuracy_max_relative_error", findings.accuracy.max_relative_error);
-    write_attribute(root, "accuracy_rms_relative_error", findings.accuracy.rms_relative_error);
-    write_reciprocity(root, findings.reciprocity);
+    write_attributes(root, findings_attributes(findings));
     root = Hdf5Handle();
     scales_.clear();
     samples_.clear();
@@ -155,84 +140,20 @@ class Hdf5Table : public TableWriter {
     return result;
   }
 
-  static void write_rounding(hid_t object, int keep_bits) {
-    write_attribute(object, "keep_bits", static_cast<double>(keep_bits));
-    write_attribute(object, "keep_bits_relative_error", rounding_error(keep_bits));
-  }
-
   // One value for each theta_i, and for each wavelength where there are any.
   void write_integrals(const std::vector<Integrals>& bands) {
     std::vector<std::string> dimensions{"theta_i"};
     if (dimensions_.size() == 5) dimensions.insert(dimensions.begin(), "wavelength");
-    const auto write = [&](const std::string& name, const std::string& long_name, auto value_at) {
-      std::vector<double> values;
-      for (const auto& band : bands)
-        for (std::size_t k = 0; k < band.normalization.value[0].size(); ++k) values.push_back(value_at(band, k));
-      const Hdf5Handle variable = create_variable(name, dimensions, H5T_IEEE_F64LE, "1", long_name, dataset_properties());
-      hdf5_check(H5Dwrite(variable, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), path_.string());
-    };
-    for (std::size_t lobe = 0; lobe < 3; ++lobe)
-      write(fmt::format("normalization_{}", lobe_names[lobe]),
-            fmt::format("N of the {} lobe: 1 / integral of the bare lobe over direction cosines", lobe_names[lobe]),
-            [&](const Integrals& band, std::size_t k) { return band.normalization.value[lobe][k]; });
-    write("dhr", "directional-hemispherical reflectance, unpolarised light",
-          [](const Integrals& band, std::size_t k) { return band.dhr.total(k, Polarization::unpolarized); });
-    for (std::size_t lobe = 0; lobe < 3; ++lobe)
-      write(fmt::format("dhr_{}", lobe_names[lobe]),
-            fmt::format("directional-hemispherical reflectance of the {} lobe, unpolarised light", lobe_names[lobe]),
-            [&](const Integrals& band, std::size_t k) { return band.dhr.lobe(lobe, k, Polarization::unpolarized); });
+    for (const auto& integral : integral_variables(bands)) {
+      const Hdf5Handle variable =
+          create_variable(integral.name, dimensions, H5T_IEEE_F64LE, "1", integral.long_name, dataset_properties());
+      hdf5_check(H5Dwrite(variable, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, integral.values.data()), path_.string());
+    }
   }
 
-  // A number, or one for each wavelength.
-  void write_reciprocity(hid_t root, const std::vector<Reciprocity>& bands) {
-    const auto write = [&](const std::string& name, double Reciprocity::*member) {
-      std::vector<double> values;
-      for (const auto& band : bands) values.push_back(band.*member);
-      if (values.size() == 1)
-        write_attribute(root, name, values[0]);
-      else
-        write_attribute(root, name, values);
-    };
-    write_attribute(root, "reciprocity", reciprocity_grid);
-    std::vector<double> pairs;
-    for (const auto& band : bands) pairs.push_back(static_cast<double>(band.pairs));
-    if (pairs.size() == 1)
-      write_attribute(root, "reciprocity_pairs", pairs[0]);
-    else
-      write_attribute(root, "reciprocity_pairs", pairs);
-    write("reciprocity_median", &Reciprocity::median);
-    write("reciprocity_90_percent", &Reciprocity::percentile_90);
-    write("reciprocity_max", &Reciprocity::maximum);
-    write("reciprocity_max_theta_i", &Reciprocity::theta_i);
-    write("reciprocity_max_theta_s", &Reciprocity::theta_s);
-    write("reciprocity_max_phi", &Reciprocity::phi);
-  }
-
-  void write_root_attributes(const TableContent& content) {
-    const Hdf5Handle root(H5Gopen2(file_, "/", H5P_DEFAULT), path_.string());
-    const Material& material = content.material;
-    const auto text = [&](const char* name, std::string_view value) {
-      if (!value.empty()) write_attribute(root, name, value);
-    };
-    text("Conventions", "CF-1.10");
-    text("title", fmt::format("BRDF of {}", material.name()));
-    text("source", program_source);
-    text("references", paper_reference);
-    text("history", content.history);
-    text("description", material.description());
-    text("material_source", material.source());
-    text("material_license", material.license());
-    text("material", material.text());
-    if (!material.has_wavelengths())
-      for (const auto& row : parameter_table)
-        write_attribute(root, std::string(row.name), material.bands().front().parameters.*row.member);
-    for (const auto& row : switch_table()) text(std::string(row.name).c_str(), choice_name(row, material.switches()));
-    text("azimuth_convention", azimuth_convention);
-    text("grid_registration", "node");
-    text("device", content.device);
-    text("build_options", content.build_options);
-    text("working_precision", name_of(content.working));
-    if (content.storage.keep_bits) write_rounding(root, *content.storage.keep_bits);
+  static void write_attributes(hid_t object, const std::vector<AttributeInfo>& attributes) {
+    for (const auto& attribute : attributes)
+      std::visit([&](const auto& value) { write_attribute(object, attribute.name, value); }, attribute.value);
   }
 
   void create_scale(const std::string& name, std::span<const double> nodes, std::string_view units, std::string_view long_name,
@@ -252,13 +173,9 @@ class Hdf5Table : public TableWriter {
 
   Hdf5Handle create_brdf(Polarization polarization, const std::string& name, const std::vector<std::string>& dimensions,
                          const Hdf5Handle& creation) {
-    const std::string light(polarization_names[static_cast<std::size_t>(polarization)]);
     Hdf5Handle dataset =
-        create_variable(name, dimensions, stored_type(precision_), "sr-1",
-                        fmt::format("bidirectional reflectance distribution function, {}",
-                                    polarization == Polarization::unpolarized ? "unpolarised light" : light + "-polarised light"),
-                        creation);
-    if (storage_.keep_bits) write_rounding(dataset, *storage_.keep_bits);
+        create_variable(name, dimensions, stored_type(precision_), "sr-1", brdf_long_name(polarization), creation);
+    write_attributes(dataset, rounding_attributes_);
     return dataset;
   }
 
@@ -311,6 +228,7 @@ class Hdf5Table : public TableWriter {
   std::filesystem::path path_;
   Precision precision_;
   TableStorage storage_;
+  std::vector<AttributeInfo> rounding_attributes_;
   Hdf5Handle file_;
   PageCacheWindow page_cache_;
   std::vector<std::string> dimensions_;

@@ -45,7 +45,8 @@ PartialFile::PartialFile(std::filesystem::path target, bool force) : target_(std
 }
 
 PartialFile::~PartialFile() {
-  if (!partial_.empty()) unlink(partial_.c_str());
+  std::error_code error;
+  if (!partial_.empty()) std::filesystem::remove_all(partial_, error);
 }
 
 void PartialFile::require_space(unsigned long long bytes) const {

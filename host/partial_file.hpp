@@ -15,6 +15,7 @@ class PartialFile {
   PartialFile& operator=(const PartialFile&) = delete;
   ~PartialFile();
 
+  /// A writer may put a folder in the place of the file.
   const std::filesystem::path& path() const { return partial_; }
 
   /// Throws FileError unless the folder has room for `bytes`.

@@ -11,6 +11,13 @@ std::vector<Range> pieces(Range whole, std::size_t longest) {
   return result;
 }
 
+std::vector<std::size_t> spread_indices(std::size_t count, std::size_t most) {
+  std::vector<std::size_t> result;
+  const std::size_t taken = std::min(count, most);
+  for (std::size_t k = 0; k < taken; ++k) result.push_back(taken == 1 ? 0 : k * (count - 1) / (taken - 1));
+  return result;
+}
+
 std::vector<Slab> slabs(const Grid& grid, std::size_t most_nodes, const Chunk& chunk) {
   const std::size_t row = grid.phi_s.size();
   const std::size_t slice = row * grid.theta_s.size();

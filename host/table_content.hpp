@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "host/attribute.hpp"
 #include "host/energy.hpp"
 #include "host/material.hpp"
 #include "host/polarization.hpp"
@@ -39,6 +40,7 @@ struct TableContent {
   std::string device;
   std::string build_options;
   std::string history;
+  std::vector<AttributeInfo> grid_choice;  // how the program chose the grid; empty where it was given
 };
 
 struct TableFindings {

@@ -15,8 +15,9 @@ LARGE_BYTES = 18 * 72 * 90 * 9001 * 4
 
 
 class Interruption(InFolder):
-    def stopped(self, table, *signals):
-        process = subprocess.Popen([PROGRAM, "generate", VINYL, "-o", table, "--force", *LARGE_GRID], stderr=subprocess.PIPE, text=True)
+    def stopped(self, table, *signals, options=()):
+        command = [PROGRAM, "generate", VINYL, "-o", table, "--force", *LARGE_GRID, *options]
+        process = subprocess.Popen(command, stderr=subprocess.PIPE, text=True)
         deadline = time.monotonic() + 120
         # Signalled once samples have reached the partial file's disk blocks.
         while process.poll() is None and time.monotonic() < deadline:
@@ -31,14 +32,20 @@ class Interruption(InFolder):
 
     def setUp(self):
         super().setUp()
-        if shutil.disk_usage(self.folder).free < 2 * LARGE_BYTES:
-            self.skipTest("less than 8 GB of free space")
+        if shutil.disk_usage(self.folder).free < 3 * LARGE_BYTES:
+            self.skipTest("less than 12 GB of free space")
 
     def test_sigint_leaves_nothing(self):
         table = self.folder / "t.h5"
         status, talk = self.stopped(table, signal.SIGINT)
         self.assertEqual(status, INTERRUPTED, talk)
         self.assertIn("interrupted", talk)
+        self.assertEqual(list(self.folder.iterdir()), [])
+
+    def test_sigint_while_openexr_is_written_leaves_nothing(self):
+        table = self.folder / "t.exr"
+        status, talk = self.stopped(table, signal.SIGINT, options=["--exr-layout", "tiles"])
+        self.assertEqual(status, INTERRUPTED, talk)
         self.assertEqual(list(self.folder.iterdir()), [])
 
     def test_an_earlier_table_is_untouched(self):
@@ -59,16 +66,22 @@ class Interruption(InFolder):
 
 
 class Memory(InFolder):
-    def test_a_4_gb_table_takes_less_than_512_mb(self):
-        if shutil.disk_usage(self.folder).free < 2 * LARGE_BYTES:
-            self.skipTest("less than 8 GB of free space")
-        table = self.folder / "t.h5"
-        process = subprocess.Popen([PROGRAM, "generate", VINYL, "-q", "-o", table, *LARGE_GRID])
+    def check(self, name, *options):
+        if shutil.disk_usage(self.folder).free < 3 * LARGE_BYTES:
+            self.skipTest("less than 12 GB of free space")
+        table = self.folder / name
+        process = subprocess.Popen([PROGRAM, "generate", VINYL, "-q", "-o", table, *LARGE_GRID, *options])
         _, status, usage = os.wait4(process.pid, 0)
         process.returncode = os.waitstatus_to_exitcode(status)
         self.assertEqual(process.returncode, DONE)
         self.assertGreater(table.stat().st_size, LARGE_BYTES)
         self.assertLess(usage.ru_maxrss * 1024, 512e6)
+
+    def test_4_gb_of_hdf5_take_less_than_512_mb(self):
+        self.check("t.h5")
+
+    def test_4_gb_of_openexr_take_less_than_512_mb(self):
+        self.check("t.exr", "--exr-layout", "tiles")
 
 
 if __name__ == "__main__":

@@ -10,7 +10,7 @@
 #include "host/error.hpp"
 #include "host/generate.hpp"
 #include "host/hdf5_handle.hpp"
-#include "host/hdf5_info.hpp"
+#include "host/hdf5_reader.hpp"
 #include "host/hdf5_table.hpp"
 #include "host/mantissa.hpp"
 #include "host/relative_azimuth.hpp"
@@ -73,9 +73,7 @@ class Storage : public testing::Test {
   }
 
   Hdf5Storage stored(const std::string& name, const std::string& variable) {
-    for (const auto& each : read_hdf5_info(folder_ / name).variables)
-      if (each.name == variable) return each.storage;
-    throw std::runtime_error("no " + variable);
+    return open_hdf5_table(folder_ / name)->info().variable(variable)->storage.value();
   }
 
   const Device device_ = select_device(std::nullopt);

@@ -7,6 +7,8 @@
 #include <ctime>
 
 #include "host/commands/command.hpp"
+#include "host/commands/interpolation_option.hpp"
+#include "host/exr_table.hpp"
 #include "host/hdf5_table.hpp"
 #include "host/mantissa.hpp"
 #include "host/numbers.hpp"
@@ -27,17 +29,32 @@ struct Options {
   std::optional<int> keep_bits;
   std::string layout = "contiguous";
   std::optional<std::string> device;
+  std::optional<std::string> exr_layout;
+  std::optional<std::string> exr_compression;
+  InterpolationOption interpolation;
   bool force = false;
 };
+
+std::unique_ptr<TableWriter> create_hdf5(const fs::path& file, const TableContent& content, const Options&) {
+  return create_hdf5_table(file, content);
+}
+
+std::unique_ptr<TableWriter> create_exr(const fs::path& file, const TableContent& content, const Options& options) {
+  ExrOptions exr;
+  for (std::size_t k = 0; k < exr_layout_names.size(); ++k)
+    if (options.exr_layout == exr_layout_names[k]) exr.layout = static_cast<ExrLayout>(k);
+  if (options.exr_compression == "zip") exr.compression = ExrCompression::zip;
+  return create_exr_table(file, content, exr);
+}
 
 struct FormatRow {
   std::string_view name;
   std::vector<std::string_view> extensions;
-  CreateTable create;
+  std::unique_ptr<TableWriter> (*create)(const fs::path&, const TableContent&, const Options&);
 };
 
 const std::vector<FormatRow>& format_table() {
-  static const std::vector<FormatRow> table{{"hdf5", {".h5", ".hdf5", ".nc"}, create_hdf5_table}};
+  static const std::vector<FormatRow> table{{"hdf5", {".h5", ".hdf5", ".nc"}, create_hdf5}, {"exr", {".exr"}, create_exr}};
   return table;
 }
 
@@ -53,10 +70,13 @@ const FormatRow& find_format(const Options& options, bool folder) {
       if (row.name == options.format) return row;
     throw BadInput("--format {}: unknown; there is {}", excerpt(options.format), known_formats());
   }
+  const FormatRow& exr = format_table().back();
+  if (folder && options.exr_layout) return exr;
   if (folder) return format_table().front();
   const std::string extension = fs::path(options.output).extension().string();
   for (const auto& row : format_table())
     if (std::find(row.extensions.begin(), row.extensions.end(), extension) != row.extensions.end()) return row;
+  if (options.exr_layout == "files") return exr;  // a folder's name needs no extension
   throw BadInput("-o {}: the extension names no format; there is {}", excerpt(options.output), known_formats());
 }
 
@@ -85,8 +105,9 @@ std::string history(const CommonOptions& common) {
 }
 
 // What a material's table is called in a folder: the material file's name, with the format's extension.
-fs::path file_in_folder(const fs::path& folder, const std::string& material, const FormatRow& format) {
+fs::path file_in_folder(const fs::path& folder, const std::string& material, const FormatRow& format, const Options& options) {
   const std::string name = material == "-" ? "material" : fs::path(material).stem().string();
+  if (options.exr_layout == "files") return folder / name;
   return folder / (name + std::string(format.extensions.front()));
 }
 
@@ -105,10 +126,15 @@ ExitStatus run(const Options& options, const CommonOptions& common) {
   if (options.keep_bits) check_keep_bits(*options.keep_bits, precision);
   storage.keep_bits = options.keep_bits;
   if (options.layout == "virtual") storage.layout = Layout::virtual_view;
+  options.interpolation.check();
   std::error_code error;
   const bool is_folder = fs::is_directory(options.output, error);
   const bool folder = options.materials.size() > 1 || options.output.ends_with('/') || is_folder;
   const FormatRow& format = find_format(options, folder);
+  if (format.name != "exr" && (options.exr_layout || options.exr_compression))
+    throw BadInput("--exr-layout and --exr-compression are for OpenEXR; the table is {}", format.name);
+  if (format.name != "hdf5" && (options.compress || storage.layout == Layout::virtual_view))
+    throw BadInput("--compress and --layout virtual are for HDF5; the table is {}", format.name);
   if (folder && !is_folder) {
     if (fs::exists(fs::path(options.output.substr(0, options.output.find_last_not_of('/') + 1)), error))
       throw BadInput("-o {}: is a file; several materials need -o FOLDER/", excerpt(options.output));
@@ -124,7 +150,7 @@ ExitStatus run(const Options& options, const CommonOptions& common) {
   std::vector<Task> tasks;
   for (const auto& file : options.materials) {
     Material material = Material::read(file);
-    const fs::path target = folder ? file_in_folder(options.output, file, format) : fs::path(options.output);
+    const fs::path target = folder ? file_in_folder(options.output, file, format, options) : fs::path(options.output);
     for (const Task& other : tasks)
       if (other.target == target) throw BadInput("{}: two materials would both be written to {}", file, target.string());
     if (!options.force && fs::exists(fs::symlink_status(target, error)))
@@ -149,8 +175,15 @@ ExitStatus run(const Options& options, const CommonOptions& common) {
   generate_options.quiet = common.quiet;
   generate_options.force = options.force;
   generate_options.history = history(common);
-  for (const Task& task : tasks) {
-    const auto summary = generate(engines, task.material, task.grid, task.target, format.create, generate_options);
+  for (Task& task : tasks) {
+    if (options.interpolation.asked())
+      generate_options.grid_choice =
+          options.interpolation.choose(*engines.front(), task.material, generate_options.polarizations, task.grid);
+    if (options.interpolation.dry_run()) continue;
+    const auto summary = generate(
+        engines, task.material, task.grid, task.target,
+        [&](const fs::path& file, const TableContent& content) { return format.create(file, content, options); },
+        generate_options);
     const Accuracy& accuracy = summary.findings.accuracy;
     say(common,
         fmt::format("{}: {} samples, {:.3g} MB{} in {:.2f} s; {}", task.target.string(), summary.samples,
@@ -195,6 +228,14 @@ std::function<ExitStatus()> generate_command(CLI::App& parser, const CommonOptio
                   "angles as a view of it, smaller by about the number of phi_i; takes even steps of phi_i and phi_s; readers "
                   "take HDF5 1.10 or later")
       ->check(CLI::IsMember({"contiguous", "virtual"}));
+  options->interpolation.add(parser);
+  parser
+      .add_option("--exr-layout", options->exr_layout,
+                  "OpenEXR: parts (default; a part for each slice), tiles (one image, a tile for each slice) or files (a folder "
+                  "with a file for each slice)")
+      ->check(CLI::IsMember(std::vector<std::string>(exr_layout_names.begin(), exr_layout_names.end())));
+  parser.add_option("--exr-compression", options->exr_compression, "OpenEXR: none (default) or zip, both lossless")
+      ->check(CLI::IsMember({"none", "zip"}));
   parser.add_flag("--force", options->force, "Overwrite an existing table");
   add_device_option(parser, options->device);
   return [options, &common] { return run(*options, common); };

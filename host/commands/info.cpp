@@ -2,8 +2,8 @@
 #include <nlohmann/json.hpp>
 
 #include "host/commands/command.hpp"
-#include "host/hdf5_info.hpp"
 #include "host/numbers.hpp"
+#include "host/table_reader.hpp"
 
 namespace brdftab {
 namespace {
@@ -39,17 +39,17 @@ void print_text(const std::string& name, const TableInfo& info) {
     if (!variable.is_axis) {
       fmt::print("  {:<22} {}[{}] {}  {}{}\n", variable.name, variable.type, fmt::join(variable.dimensions, ", "), variable.units,
                  variable.long_name, range_text(variable));
-      if (variable.values.empty()) fmt::print("  {:<22} {}\n", "", variable.storage.text());
+      if (variable.values.empty() && variable.storage) fmt::print("  {:<22} {}\n", "", variable.storage->text());
     }
   fmt::print("\nattributes\n");
   for (const auto& attribute : info.attributes) {
     if (const auto* text = std::get_if<std::string>(&attribute.value)) {
       if (attribute.name == "material") continue;
-      fmt::print("  {:<28} {}\n", attribute.name, *text);
+      fmt::print("  {:<39} {}\n", attribute.name, *text);
     } else if (const auto* number = std::get_if<double>(&attribute.value)) {
-      fmt::print("  {:<28} {}\n", attribute.name, shortest(*number));
+      fmt::print("  {:<39} {}\n", attribute.name, shortest(*number));
     } else {
-      fmt::print("  {:<28} {}\n", attribute.name, fmt::join(std::get<std::vector<double>>(attribute.value), ", "));
+      fmt::print("  {:<39} {}\n", attribute.name, fmt::join(std::get<std::vector<double>>(attribute.value), ", "));
     }
   }
   for (const auto& attribute : info.attributes)
@@ -74,7 +74,7 @@ nlohmann::ordered_json as_json(const TableInfo& info) {
     nlohmann::ordered_json entry{{"type", variable.type},   {"dimensions", variable.dimensions}, {"shape", variable.shape},
                                  {"units", variable.units}, {"long_name", variable.long_name},   {"axis", variable.is_axis}};
     if (!variable.values.empty()) entry["values"] = variable.values;
-    if (!variable.is_axis) entry["storage"] = storage_json(variable.storage);
+    if (!variable.is_axis && variable.storage) entry["storage"] = storage_json(*variable.storage);
     root["variables"][variable.name] = entry;
   }
   return root;
@@ -88,10 +88,11 @@ std::function<ExitStatus()> info_command(CLI::App& parser, const CommonOptions&)
     bool json = false;
   };
   auto options = std::make_shared<Options>();
-  parser.add_option("TABLE", options->table, "Table file (HDF5)")->required();
-  parser.add_flag("--json", options->json, "As JSON, axes and one-dimensional variables with their values");
+  parser.add_option("TABLE", options->table, "Table file, or the folder of an OpenEXR table in files")->required();
+  parser.add_flag("--json", options->json, "As JSON, with the values of axes, N and DHR");
   return [options] {
-    const TableInfo info = read_hdf5_info(options->table);
+    const auto table = open_table(options->table);
+    const TableInfo& info = table->info();
     if (options->json)
       fmt::print("{}\n", as_json(info).dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
     else

@@ -1,6 +1,8 @@
-#include "host/hdf5_info.hpp"
+#include "host/hdf5_reader.hpp"
 
 #include <hdf5_hl.h>
+
+#include <algorithm>
 
 #include "host/error.hpp"
 #include "host/hdf5_handle.hpp"
@@ -45,7 +47,7 @@ std::vector<AttributeInfo> attributes_of(hid_t object) {
     const Hdf5Handle space(H5Aget_space(attribute), name);
     if (has_text_attribute(object, name)) {
       attributes.push_back({name, read_text_attribute(object, name)});
-    } else if (H5Tget_class(type) == H5T_FLOAT) {
+    } else if (H5Tget_class(type) == H5T_FLOAT || H5Tget_class(type) == H5T_INTEGER) {
       const auto shape = shape_of(space);
       std::vector<double> values(static_cast<std::size_t>(std::max<hssize_t>(H5Sget_simple_extent_npoints(space), 0)));
       hdf5_check(H5Aread(attribute, H5T_NATIVE_DOUBLE, values.data()), name);
@@ -95,29 +97,62 @@ VariableInfo variable_of(hid_t file, const std::string& name) {
                         .values = {},
                         .storage = storage_of(dataset)};
   variable.dimensions = variable.is_axis ? std::vector{name} : dimensions_of(dataset, variable.shape.size());
-  if (variable.shape.size() == 1) {
-    variable.values.resize(variable.shape[0]);
+  const bool numeric = H5Tget_class(type) == H5T_FLOAT || H5Tget_class(type) == H5T_INTEGER;
+  if (numeric && (variable.shape.size() == 1 || variable.shape.size() == 2)) {
+    variable.values.resize(variable.shape.size() == 1 ? variable.shape[0] : variable.shape[0] * variable.shape[1]);
     hdf5_check(H5Dread(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, variable.values.data()), name);
   }
   return variable;
 }
 
+bool is_dataset(hid_t file, const std::string& name) {
+  H5O_info_t object;
+  return H5Oget_info_by_name(file, name.c_str(), &object, H5P_DEFAULT) >= 0 && object.type == H5O_TYPE_DATASET;
+}
+
+class Hdf5Reader : public TableReader {
+ public:
+  explicit Hdf5Reader(const std::filesystem::path& path)
+      : path_(path), file_(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), path.string() + ": is damaged") {
+    const Hdf5Handle root(H5Gopen2(file_, "/", H5P_DEFAULT), path.string());
+    if (!has_text_attribute(root, "material") || !has_text_attribute(root, "azimuth_convention"))
+      throw BadInput("{}: is an HDF5 file, but not a table of brdftab: it has no attributes material and azimuth_convention",
+                     path.string());
+    info_.attributes = attributes_of(root);
+    for (const auto& name : names_of(root, H5_INDEX_CRT_ORDER, false))
+      if (is_dataset(file_, name)) info_.variables.push_back(variable_of(file_, name));
+  }
+
+  const TableInfo& info() const override { return info_; }
+
+  void read(Polarization polarization, std::size_t band, const Slab& box, std::span<double> samples) override {
+    const std::string name(brdf_name(polarization));
+    const Hdf5Handle dataset(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), name);
+    const Hdf5Handle space(H5Dget_space(dataset), name);
+    std::vector<hsize_t> start{box.theta_i.begin, box.phi_i.begin, box.theta_s.begin, 0};
+    std::vector<hsize_t> count{box.theta_i.size(), box.phi_i.size(), box.theta_s.size(), box.phi_s};
+    if (H5Sget_simple_extent_ndims(space) == 5) {
+      start.insert(start.begin(), band);
+      count.insert(count.begin(), 1);
+    }
+    hdf5_check(H5Sselect_hyperslab(space, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr), name);
+    const hsize_t nodes = box.nodes();
+    const Hdf5Handle memory(H5Screate_simple(1, &nodes, nullptr), name);
+    hdf5_check(H5Dread(dataset, H5T_NATIVE_DOUBLE, memory, space, H5P_DEFAULT, samples.data()),
+               fmt::format("{}: samples of {} are damaged", path_.string(), name));
+  }
+
+ private:
+  std::filesystem::path path_;
+  Hdf5Handle file_;
+  TableInfo info_;
+};
+
 }  // namespace
 
-TableInfo read_hdf5_info(const std::filesystem::path& path) {
+std::unique_ptr<TableReader> open_hdf5_table(const std::filesystem::path& file) {
   hdf5_quiet();
-  std::error_code error;
-  if (!std::filesystem::exists(path, error)) throw FileError("{}: does not exist", path.string());
-  if (std::filesystem::is_directory(path, error)) throw FileError("{}: is a folder", path.string());
-  if (H5Fis_hdf5(path.c_str()) <= 0) throw BadInput("{}: is not an HDF5 file", path.string());
-  const Hdf5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), path.string());
-  const Hdf5Handle root(H5Gopen2(file, "/", H5P_DEFAULT), path.string());
-  if (!has_text_attribute(root, "material") || !has_text_attribute(root, "azimuth_convention"))
-    throw BadInput("{}: is an HDF5 file, but not a table of brdftab", path.string());
-  TableInfo info;
-  info.attributes = attributes_of(root);
-  for (const auto& name : names_of(root, H5_INDEX_CRT_ORDER, false)) info.variables.push_back(variable_of(file, name));
-  return info;
+  return std::make_unique<Hdf5Reader>(file);
 }
 
 }  // namespace brdftab

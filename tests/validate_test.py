@@ -1,0 +1,397 @@
+"""`validate` accepts every table that `generate` writes, and names what was done to those that are damaged."""
+
+import json
+import math
+import shutil
+import subprocess
+import unittest
+
+import h5py
+import numpy
+
+from program import BAD_INPUT, CHECK_FAILED, DONE, FILE, MATERIALS, VINYL, InFolder, run
+
+# theta_i and theta_s share nodes and a length; phi_i and phi_s a length only, as f does not change where they are exchanged.
+GRID = ["--theta-i", "0:80:10", "--phi-i", "0:120:30", "--theta-s", "0:80:10", "--phi-s", "0,30,60,100,180"]
+BANDS = "[[band]]\nwavelength_nm = 450\n[[band]]\nwavelength_nm = 650\nn_eff = 1.5\n"
+VARIANT = '[model]\nnormalization = "reciprocal"\nautocovariance = "gaussian"\nreflectance_shadowing = "surface"\n'
+
+
+class Good(InFolder):
+    def validated(self, table, *options):
+        result = run("validate", table, "--json", *options)
+        self.assertEqual(result.returncode, DONE, result.stderr)
+        found = json.loads(result.stdout)
+        self.assertTrue(found["good"])
+        self.assertEqual(found["faults"], [])
+        return found
+
+    def test_every_layout_and_option(self):
+        spectral = self.folder / "spectral.toml"
+        spectral.write_text(VINYL.read_text() + BANDS)
+        variant = self.folder / "variant.toml"
+        variant.write_text(VINYL.read_text() + VARIANT)
+        cases = [("a.h5", VINYL), ("b.nc", VINYL, "--polarization", "all"), ("c.h5", VINYL, "--precision", "float64"),
+                 ("d.h5", spectral, "--polarization", "p"), ("e.h5", variant), ("f.exr", VINYL, "--polarization", "all"),
+                 ("g.exr", spectral, "--exr-layout", "tiles", "--exr-compression", "zip"),
+                 ("h", spectral, "--exr-layout", "files", "--polarization", "s"), ("i.exr", VINYL, "--exr-compression", "zip")]
+        for name, material, *options in cases:
+            with self.subTest(name):
+                table = self.folder / name
+                made = run("generate", material, "-o", table, *GRID, *options)
+                self.assertEqual(made.returncode, DONE, made.stderr)
+                found = self.validated(table)
+                promised = 1e-12 if "float64" in options else 1e-6
+                self.assertEqual(found["tolerance"], promised)
+                self.assertLess(found["nodes"]["max_relative_error"], promised)
+                nodes = 9 * 5 * 9 * 5 * (3 if "all" in options else 1) * (2 if material == spectral else 1)
+                self.assertEqual(found["nodes"]["in_table"], nodes)
+                self.assertEqual(found["nodes"]["compared_with_kernels"], nodes)
+                self.assertGreater(found["nodes"]["compared_with_reference"], 0)
+
+    def test_shipped_materials(self):
+        for material in sorted(MATERIALS.glob("*.toml")):
+            with self.subTest(material.stem):
+                table = self.folder / (material.stem + ".h5")
+                self.assertEqual(run("generate", material, "-o", table).returncode, DONE)
+                found = self.validated(table)
+                self.assertEqual(found["nodes"]["in_table"], 293220)
+                self.assertLess(found["normalization"]["max_relative_error"], 1e-10)
+                self.assertLess(found["dhr"]["max_relative_error"], 1e-8)
+                self.assertEqual(bool(found["energy"]["warnings"]), material.stem == "white-ptfe")
+
+    def test_all_is_all(self):
+        table = self.folder / "table.h5"
+        self.assertEqual(run("generate", VINYL, "-o", table, *GRID).returncode, DONE)
+        found = self.validated(table, "--all")
+        self.assertEqual(found["nodes"]["compared_with_reference"], 2025)
+        self.assertEqual(found["normalization"]["compared_with_reference"], 27)
+        self.assertEqual(found["dhr"]["compared_with_reference"], 36)
+        self.assertGreater(found["nodes"]["rms_relative_error"], 1e-9)  # float32 rounds
+
+    def test_reciprocity_of_the_samples(self):
+        table = self.folder / "table.h5"
+        self.assertEqual(run("generate", VINYL, "-o", table, *GRID).returncode, DONE)
+        with h5py.File(table) as file:
+            f = file["brdf"][:, 0].astype(float)
+        defect = abs(numpy.log(f / f.transpose(1, 0, 2)))
+        found = self.validated(table)["reciprocity"]
+        self.assertEqual(found["pairs"], 9 * 8 // 2 * 5)
+        self.assertAlmostEqual(found["max"], defect.max(), 12)
+        worst = tuple(int(found[name] / step) for name, step in (("theta_i", 10), ("theta_s", 10), ("phi", 30)))
+        self.assertAlmostEqual(defect[worst], found["max"], 12)
+
+
+class Interpolation(InFolder):
+    """The errors at cell centres against the table's own samples and `evaluate`."""
+
+    AXES = ("theta_i", "phi_i", "theta_s", "phi_s")
+
+    def setUp(self):
+        super().setUp()
+        self.table = self.folder / "table.h5"
+        # No node where f vanishes, and uneven steps.
+        grid = ["--theta-i", "10,30,45", "--phi-i", "0,20,30", "--theta-s", "5,15,50,60", "--phi-s", "0,40,60,130,180"]
+        self.assertEqual(run("generate", VINYL, "-o", self.table, "--precision", "float64", *grid).returncode, DONE)
+        result = run("validate", self.table, "--json")
+        self.assertEqual(result.returncode, DONE, result.stderr)
+        self.found = json.loads(result.stdout)["interpolation"]
+        with h5py.File(self.table) as file:
+            self.axes = [file[name][:] for name in self.AXES]
+            self.f = file["brdf"][...]
+
+    def model(self, nodes):
+        pairs = "theta_i_deg,theta_s_deg,phi_deg\n"
+        points = numpy.array(numpy.meshgrid(*nodes, indexing="ij")).reshape(4, -1)
+        pairs += "".join(f"{i!r},{s!r},{q - p!r}\n" for i, p, s, q in points.T.tolist())
+        text = run("evaluate", VINYL, "--engine", "reference", stdin=pairs).stdout.splitlines()
+        values = [float(line.split(",")[5]) for line in text if line[0].isdigit()]
+        return numpy.array(values).reshape([len(a) for a in nodes])
+
+    def check(self, found, axes):
+        nodes = [0.5 * (a[1:] + a[:-1]) if k in axes else a[:-1] for k, a in enumerate(self.axes)]
+        mean, logarithm = self.f, numpy.log(self.f)
+        for k in range(4):
+            lower = [slice(None)] * 4
+            upper = [slice(None)] * 4
+            lower[k], upper[k] = slice(None, -1), slice(1, None)
+            if k in axes:
+                mean = 0.5 * (mean[tuple(lower)] + mean[tuple(upper)])
+                logarithm = 0.5 * (logarithm[tuple(lower)] + logarithm[tuple(upper)])
+            else:
+                mean, logarithm = mean[tuple(lower)], logarithm[tuple(lower)]
+        model = self.model(nodes)
+        for kind, value in (("linear", mean), ("ln", numpy.exp(logarithm))):
+            error = abs(value / model - 1)
+            self.assertEqual(found[kind]["points"], error.size)
+            self.assertAlmostEqual(found[kind]["max"] / error.max(), 1, 9)
+            self.assertAlmostEqual(found[kind]["median"] / numpy.sort(error.ravel())[error.size // 2], 1, 9)
+            self.assertAlmostEqual(found[kind]["95_percent"] / numpy.sort(error.ravel())[error.size * 95 // 100], 1, 9)
+            where = numpy.unravel_index(error.argmax(), error.shape)
+            for axis, k in zip(self.AXES, range(4)):
+                self.assertAlmostEqual(found[kind]["worst"][axis], nodes[k][where[k]], 9)
+            self.assertAlmostEqual(found[kind]["worst"]["interpolated"], value[where], 9)
+
+    def test_cell_centres(self):
+        self.assertEqual(self.found["cells"], 2 * 2 * 3 * 4)
+        self.check(self.found["cell_centres"], {0, 1, 2, 3})
+
+    def test_each_axis(self):
+        for k, axis in enumerate(self.AXES):
+            with self.subTest(axis):
+                self.check(self.found[f"along_{axis}"], {k})
+
+
+class Damaged(InFolder):
+    """Each change in place, and the words that must name it."""
+
+    def make(self, *options, name="table.h5", material=VINYL, grid=GRID):
+        table = self.folder / name
+        result = run("generate", material, "-o", table, *grid, *options)
+        self.assertEqual(result.returncode, DONE, result.stderr)
+        return table
+
+    def assert_fault(self, table, *words, status=CHECK_FAILED):
+        result = run("validate", table)
+        self.assertEqual(result.returncode, status, result.stdout + result.stderr)
+        self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
+        for word in (table.name, *words):
+            self.assertIn(word, result.stderr)
+        return result
+
+    def edit(self, table, change):
+        with h5py.File(table, "r+") as file:
+            change(file)
+
+    def test_one_node_changed_by_1e_4(self):
+        table = self.make(grid=[])
+        self.assertEqual(run("validate", table).returncode, DONE)
+
+        def change(file):
+            file["brdf"][7, 0, 41, 83] *= 1 + 1e-4
+
+        self.edit(table, change)
+        self.assert_fault(table, "1 of 293220 nodes", "theta_i = 35, phi_i = 0, theta_s = 41, phi_s = 166 degrees")
+        found = json.loads(run("validate", table, "--json").stdout)
+        self.assertFalse(found["good"])
+        self.assertEqual(found["nodes"]["over_tolerance"], 1)
+        worst = found["nodes"]["worst"]
+        self.assertAlmostEqual(worst["stored"] / worst["reference"] - 1, 1e-4, 6)
+        self.assertEqual(run("validate", table, "--tolerance", "1e-3").returncode, DONE)
+
+    def test_samples_of_two_axes_swapped(self):
+        for a, b, names in ((0, 2, "theta_i and theta_s"), (1, 3, "phi_i and phi_s")):
+            with self.subTest(names):
+                table = self.make("--force")
+                self.edit(table, lambda file: file["brdf"].write_direct(numpy.ascontiguousarray(file["brdf"][...].swapaxes(a, b))))
+                self.assert_fault(table, f"the axes {names} are swapped")
+
+    def test_samples_of_two_axes_of_other_lengths_swapped(self):
+        table = self.make(grid=["--theta-i", "0:80:20", "--theta-s", "0:80:10", "--phi-s", "0:350:50"])
+
+        def change(file):
+            f = file["brdf"][...]
+            file["brdf"][...] = f.swapaxes(2, 3).reshape(f.shape)
+
+        self.edit(table, change)
+        self.assert_fault(table, "the axes theta_s and phi_s are swapped")
+
+    def test_dimensions_swapped(self):
+        table = self.make(grid=["--theta-i", "0:80:20", "--theta-s", "0:80:10", "--phi-s", "0:350:50"])
+
+        def change(file):
+            f, units = file["brdf"][...], file["brdf"].attrs["units"]
+            del file["brdf"]
+            file["brdf"] = f.swapaxes(2, 3)
+            file["brdf"].attrs["units"] = numpy.bytes_("sr-1")
+            for k, name in enumerate(("theta_i", "phi_i", "phi_s", "theta_s")):
+                file["brdf"].dims[k].attach_scale(file[name])
+
+        self.edit(table, change)
+        self.assert_fault(table, "[theta_i, phi_i, phi_s, theta_s]", "axes are swapped")
+
+    def test_degrees_written_as_radians(self):
+        for names in (["theta_i"], ["theta_s"], ["phi_s"], ["theta_i", "phi_i", "theta_s", "phi_s"]):
+            with self.subTest(names):
+                table = self.make("--force")
+
+                def change(file):
+                    for name in names:
+                        file[name][...] = numpy.radians(file[name][...])
+
+                self.edit(table, change)
+                self.assert_fault(table, f"{', '.join(names)} {'are' if len(names) > 1 else 'is'} in radians")
+
+    def test_units_other_than_degrees(self):
+        table = self.make()
+
+        def change(file):
+            file["theta_s"].attrs["units"] = numpy.bytes_("radian")
+
+        self.edit(table, change)
+        self.assert_fault(table, "theta_s", "'radian'", "'degree'")
+
+    def test_reversed_axis_and_backward_azimuth(self):
+        table = self.make("--force")
+        self.edit(table, lambda file: file["brdf"].write_direct(numpy.ascontiguousarray(file["brdf"][...][:, :, ::-1])))
+        self.assert_fault(table, "theta_s is reversed")
+        table = self.make("--force", grid=["--theta-i", "0:80:20", "--theta-s", "0:80:10", "--phi-s", "0:350:10"])
+        self.edit(table, lambda file: file["brdf"].write_direct(numpy.roll(file["brdf"][...], 18, axis=3)))
+        self.assert_fault(table, "backward side")
+
+    def test_samples_of_another_material(self):
+        table = self.make()
+        other = self.make(name="other.h5", material=MATERIALS / "white-ptfe.toml")
+        with h5py.File(other) as file:
+            f = file["brdf"][...]
+        self.edit(table, lambda file: file["brdf"].write_direct(f))
+        self.assert_fault(table, "not those of the material's text")
+
+    def test_not_finite_and_negative(self):
+        for value, count in ((math.nan, "1 nodes are not finite and 0"), (-0.25, "0 nodes are not finite and 1")):
+            with self.subTest(value=value):
+                table = self.make("--force")
+
+                def change(file):
+                    file["brdf"][3, 1, 4, 2] = value
+
+                self.edit(table, change)
+                self.assert_fault(table, count, "theta_i = 30, phi_i = 30, theta_s = 40, phi_s = 60")
+
+    def test_attributes_edited(self):
+        changes = {"rho_surface": (0.46, "rho_surface is 0.46", "0.45"),
+                   "normalization": (numpy.bytes_("reciprocal"), "normalization is 'reciprocal'", "'hemispherical'"),
+                   "azimuth_convention": (numpy.bytes_("phi = 0 is backward"), "azimuth_convention"),
+                   "material": (numpy.bytes_("name = 1"), "material's text")}
+        for name, (value, *words) in changes.items():
+            with self.subTest(name):
+                table = self.make("--force")
+
+                def change(file):
+                    del file.attrs[name]
+                    file.attrs[name] = value
+
+                self.edit(table, change)
+                self.assert_fault(table, *words)
+
+    def test_attribute_of_openexr_edited(self):
+        table = self.make("--exr-layout", "tiles", name="table.exr")
+        edited = self.folder / "edited.exr"
+        subprocess.run(["oiiotool", table, "--attrib:type=string", "brdf:normalization", "reciprocal", "-o", edited], check=True)
+        self.assert_fault(edited, "normalization is 'reciprocal'", "'hemispherical'")
+
+    def test_pixel_of_openexr_changed(self):
+        table = self.make(name="table.exr")
+        # Uncompressed: the last float of the file is the last node.
+        whole = bytearray(table.read_bytes())
+        whole[-4:] = numpy.float32(numpy.frombuffer(whole[-4:], "float32")[0] * 1.0001).tobytes()
+        table.write_bytes(whole)
+        self.assert_fault(table, "1 of 2025 nodes", "theta_i = 80, phi_i = 120, theta_s = 80, phi_s = 180")
+
+    def test_material_text_edited(self):
+        table = self.make()
+
+        def change(file):
+            text = file.attrs["material"].decode().replace("rho_bulk = 0.88", "rho_bulk = 0.89")
+            del file.attrs["material"]
+            file.attrs["material"] = numpy.bytes_(text)
+
+        self.edit(table, change)
+        self.assert_fault(table, "rho_bulk is 0.88", "0.89")
+
+    def test_stored_integrals_edited(self):
+        for name in ("normalization_bulk", "dhr_retro"):
+            with self.subTest(name):
+                table = self.make("--force")
+
+                def change(file):
+                    file[name][4] *= 1 + 1e-6
+
+                self.edit(table, change)
+                self.assert_fault(table, name, "theta_i = 40", "1.00e-06")
+
+    def test_missing_parts(self):
+        for name in ("brdf", "theta_s", "dhr"):
+            with self.subTest(name):
+                table = self.make("--force")
+                self.edit(table, lambda file: file.pop(name))
+                self.assert_fault(table, name)
+
+    def test_truncated_tail(self):
+        made = {"table.h5": [], "parts.exr": [], "tiles.exr": ["--exr-layout", "tiles", "--exr-compression", "zip"]}
+        for name, options in made.items():
+            with self.subTest(name):
+                table = self.make(*options, name=name)
+                whole = table.read_bytes()
+                for kept in (len(whole) - 100, len(whole) // 2, 2000, 10):
+                    table.write_bytes(whole[:kept])
+                    self.assert_fault(table, "truncated" if kept > 2000 else "", status=FILE)
+
+    def test_damaged_zip(self):
+        table = self.make("--exr-compression", "zip", name="table.exr")
+        whole = bytearray(table.read_bytes())
+        whole[-2000:-1000] = bytes(1000)
+        table.write_bytes(whole)
+        self.assert_fault(table, "damaged", status=FILE)
+
+    def test_slice_missing_from_a_folder(self):
+        table = self.make("--exr-layout", "files", name="slices")
+        (table / "ti30_pi060.exr").unlink()
+        self.assert_fault(table, "theta_i = 30, phi_i = 60 is missing", status=FILE)
+
+    def test_slice_exchanged_in_a_folder(self):
+        table = self.make("--exr-layout", "files", name="slices")
+        shutil.copy(table / "ti30_pi060.exr", table / "ti40_pi060.exr")
+        self.assert_fault(table, "two slices", status=FILE)
+
+    def test_foreign_files(self):
+        hdf5 = self.folder / "foreign.h5"
+        with h5py.File(hdf5, "w") as file:
+            file["brdf"] = numpy.ones((2, 2, 2, 2))
+        text = self.folder / "foreign.txt"
+        text.write_text("theta_i,f\n0,1\n")
+        exr = self.folder / "foreign.exr"
+        subprocess.run(["oiiotool", "--create", "4x4", "3", "-o", exr], check=True)
+        self.assert_fault(hdf5, "is an HDF5 file, but not a table of brdftab", status=BAD_INPUT)
+        self.assert_fault(text, "neither an HDF5 nor an OpenEXR file", status=BAD_INPUT)
+        self.assert_fault(exr, "is an OpenEXR file, but not a table of brdftab", status=BAD_INPUT)
+        empty = self.folder / "empty.h5"
+        empty.touch()
+        self.assert_fault(empty, "is empty", status=FILE)
+        self.assert_fault(self.folder / "none.h5", "does not exist", status=FILE)
+
+
+class KeepBits(InFolder):
+    """Rounded samples are good as far as their attributes say."""
+
+    def rounded(self, said):
+        table = self.folder / "table.h5"
+        self.assertEqual(run("generate", VINYL, "-o", table, "--force", *GRID).returncode, DONE)
+        with h5py.File(table, "r+") as file:
+            bits = file["brdf"][...].view("uint32")
+            bits = (bits + numpy.uint32(1 << 10)) & numpy.uint32(0xFFFFF800)  # 12 of 23 mantissa bits
+            file["brdf"][...] = bits.view("float32")
+            for name, value in said.items():
+                file.attrs[name] = value
+        return table
+
+    def test_as_said(self):
+        table = self.rounded({"keep_bits": 12.0, "keep_bits_relative_error": 2.0**-13})
+        self.assertEqual(run("validate", table).returncode, DONE)
+        found = json.loads(run("validate", table, "--json").stdout)
+        self.assertEqual(found["tolerance"], 1e-6 + 2.0**-13)
+        self.assertGreater(found["nodes"]["max_relative_error"], 2.0**-14)
+
+    def test_not_said(self):
+        result = run("validate", self.rounded({}))
+        self.assertEqual(result.returncode, CHECK_FAILED)
+        self.assertIn("differ from the reference", result.stderr)
+
+    def test_said_falsely(self):
+        result = run("validate", self.rounded({"keep_bits": 20.0, "keep_bits_relative_error": 2.0**-13}))
+        self.assertEqual(result.returncode, CHECK_FAILED)
+        self.assertIn("keep_bits", result.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
