@@ -11,6 +11,9 @@
 namespace brdftab {
 namespace {
 
+// Work-items in a work-group over lists of directions.
+constexpr std::size_t directions_group = 16;
+
 template <class Struct>
 std::vector<std::byte> bytes(const Struct& value) {
   std::vector<std::byte> result(sizeof(Struct));
@@ -122,8 +125,13 @@ void Engine::run(const cl::Kernel& kernel, std::array<std::size_t, 3> size) cons
   if (even < x) queue_.enqueueNDRangeKernel(kernel, {x - group, 0, 0}, {group, y, z}, {group, 1, 1});
 }
 
-void Engine::run_groups(const cl::Kernel& kernel, std::size_t size, std::size_t group) const {
-  queue_.enqueueNDRangeKernel(kernel, cl::NullRange, {size}, {group});
+std::size_t Engine::padded_directions(std::size_t count) const {
+  const std::size_t together = directions_group * directions_width_;
+  return (count + together - 1) / together * together;
+}
+
+void Engine::run_directions(const cl::Kernel& kernel, std::size_t padded) const {
+  queue_.enqueueNDRangeKernel(kernel, cl::NullRange, {padded / directions_width_}, {directions_group});
 }
 
 void Engine::run_items(const cl::Kernel& kernel, std::array<std::size_t, 3> size, std::size_t first_x) const {

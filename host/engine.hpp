@@ -45,6 +45,10 @@ class Engine {
   /// A kernel over lists of pairs of directions, each work-item of which takes directions_width() pairs.
   cl::Kernel directions_kernel(const char* name) const;
   std::size_t directions_width() const { return directions_width_; }
+  /// `count` filled up to whole work-groups, so that PoCL compiles such a kernel for one local size.
+  std::size_t padded_directions(std::size_t count) const;
+  /// Enqueues such a kernel over a list filled up so.
+  void run_directions(const cl::Kernel& kernel, std::size_t padded) const;
 
   /// An uninitialised buffer; at least one byte long.
   cl::Buffer buffer(std::size_t bytes) const;
@@ -64,8 +68,6 @@ class Engine {
   /// Enqueues a range; x is the fastest dimension. Work-groups run along it, as long as the device allows, for PoCL
   /// vectorises long ones best; where they do not divide x, the last one repeats some of the work of the one before.
   void run(const cl::Kernel& kernel, std::array<std::size_t, 3> size) const;
-  /// A one-dimensional range in work-groups of `group`, which must divide it.
-  void run_groups(const cl::Kernel& kernel, std::size_t size, std::size_t group) const;
   /// A range of few or uneven work-items: on a CPU each is a work-group, so that all cores share them and PoCL, which
   /// compiles a kernel anew for each size of work-group, does so once.
   void run_items(const cl::Kernel& kernel, std::array<std::size_t, 3> size, std::size_t first_x = 0) const;

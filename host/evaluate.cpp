@@ -11,9 +11,6 @@ namespace brdftab {
 namespace {
 
 constexpr std::size_t pairs_at_once = 1 << 20;
-// Work-items in a work-group. Ranges are filled up to whole ones, so that PoCL compiles one local size for all.
-constexpr std::size_t group = 16;
-
 // Distinct values, and the index of each value among them.
 struct Distinct {
   std::vector<double> values;
@@ -34,8 +31,7 @@ Distinct distinct(const std::vector<double>& all) {
 
 void evaluate_part(const Engine& engine, const Band& band, const ModelSwitches& switches, std::span<const DirectionPair> pairs,
                    std::vector<PolarizedBrdf>& out) {
-  const std::size_t together = group * engine.directions_width();
-  const std::size_t padded = (pairs.size() + together - 1) / together * together;
+  const std::size_t padded = engine.padded_directions(pairs.size());
   std::vector<double> theta_i(padded), theta_s(padded), phi(padded);
   for (std::size_t k = 0; k < padded; ++k) {
     const DirectionPair& pair = pairs[std::min(k, pairs.size() - 1)];
@@ -61,7 +57,7 @@ void evaluate_part(const Engine& engine, const Band& band, const ModelSwitches& 
   set_arguments(kernel, angles_of_pairs[0], angles_of_pairs[1], angles_of_pairs[2], n_of_pairs[0], n_of_pairs[1], n.on_device,
                 static_cast<cl_int>(thetas.values.size()), f_s, f_p);
   KernelMaterial(band.parameters, switches, engine.working()).set(kernel, 9);
-  engine.run_groups(kernel, padded / engine.directions_width(), group);
+  engine.run_directions(kernel, padded);
   const auto s = engine.download(f_s, padded);
   const auto p = engine.download(f_p, padded);
   for (std::size_t k = 0; k < pairs.size(); ++k) out.push_back({s[k], p[k]});

@@ -12,8 +12,6 @@ namespace {
 constexpr std::size_t spline_angles = 401;
 constexpr std::size_t peak_angles = 201;
 constexpr std::size_t at_once = 1 << 18;
-// Of work-groups; the same as evaluate's, so that PoCL compiles the kernel once.
-constexpr std::size_t group = 64;
 
 }  // namespace
 
@@ -82,7 +80,7 @@ std::vector<std::vector<double>> SampledModel::evaluate(const Directions& direct
 
 void SampledModel::evaluate_part(const Directions& directions, std::size_t begin, std::size_t count,
                                  std::vector<std::vector<double>>& f) const {
-  const std::size_t padded = (count + group - 1) / group * group;
+  const std::size_t padded = engine_.padded_directions(count);
   const auto part = [&](const std::vector<double>& all) {
     std::vector<double> values(padded, all[begin + count - 1]);
     std::copy_n(all.begin() + static_cast<std::ptrdiff_t>(begin), count, values.begin());
@@ -107,11 +105,11 @@ void SampledModel::evaluate_part(const Directions& directions, std::size_t begin
         n[lobe * 2 * padded + padded + k] = std::exp(bands_[band].log_n[lobe](place(theta_s[k])));
       }
     const cl::Buffer normalization = engine_.upload(n);
-    cl::Kernel kernel = engine_.kernel("evaluate");
+    cl::Kernel kernel = engine_.directions_kernel("evaluate");
     set_arguments(kernel, angles[0], angles[1], angles[2], index[0], index[1], normalization, static_cast<cl_int>(2 * padded),
                   f_s, f_p);
     bands_[band].kernel.set(kernel, 9);
-    engine_.run_groups(kernel, padded, group);
+    engine_.run_directions(kernel, padded);
     const auto s = engine_.download(f_s, padded), p = engine_.download(f_p, padded);
     for (std::size_t j = 0; j < polarizations_.size(); ++j) {
       auto& out = f[band * polarizations_.size() + j];
