@@ -24,6 +24,7 @@ constexpr CommandRow command_table[] = {
     {"generate", "Tabulate materials into table files", generate_command},
     {"evaluate", "Evaluate a material at the directions of a CSV file", evaluate_command},
     {"integrate", "Integrate a material over the hemisphere: N, DHR and BHR", integrate_command},
+    {"fit", "Fit the fourteen parameters to a measured BRDF", fit_command},
     {"info", "Show what a table holds", info_command},
     {"devices", "List the OpenCL devices and how to select each", devices_command},
     {"parameters", "List every parameter of the model with its range and meaning", parameters_command},
