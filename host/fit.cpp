@@ -21,10 +21,10 @@ constexpr double cauchy_scale = 2.385 * 1.4826;
 constexpr Patience first_descent{.iterations = 80, .tolerance = 1e-5};
 constexpr Patience polish{.iterations = 400, .tolerance = 1e-13};
 
-std::vector<Minimum> descend(const FitProblem& problem, const std::vector<std::vector<double>>& starts, const Patience& patience) {
+std::vector<Minimum> descend(const FitProblem& problem, const std::vector<std::vector<double>>& starts,
+                             const Patience& patience) {
   std::vector<Minimum> minima(starts.size());
-  problem.batch().run(starts.size(), starts_at_once,
-                      [&](std::size_t k) { minima[k] = minimize(problem, starts[k], patience); });
+  problem.batch().run(starts.size(), starts_at_once, [&](std::size_t k) { minima[k] = minimize(problem, starts[k], patience); });
   return minima;
 }
 
@@ -60,14 +60,14 @@ Fit fit(FitProblem& problem) {
     polished = descend(problem, best_points(polished, most_polished), polish);
     sort_by_cost(polished);
   }
-  Fit result{.best = {}, .starts = options.starts, .converged = 0, .reached = 0, .seconds = 0, .kernel_seconds = 0, .evaluations = 0};
+  Fit result{
+      .best = {}, .starts = options.starts, .converged = 0, .reached = 0, .seconds = 0, .kernel_seconds = 0, .evaluations = 0};
   const bool found = !polished.empty() && std::isfinite(polished.front().cost) && polished.front().converged;
   for (const Minimum& minimum : minima) result.converged += minimum.converged;
   if (!found)
     throw Error(ExitStatus::check_failed, "none of {} starts converged; --starts and --seed try others", options.starts);
   result.best = polished.front();
-  for (const Minimum& minimum : minima)
-    result.reached += std::sqrt(minimum.cost) <= reached_rms * std::sqrt(minima.front().cost);
+  for (const Minimum& minimum : minima) result.reached += std::sqrt(minimum.cost) <= reached_rms * std::sqrt(minima.front().cost);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   result.kernel_seconds = problem.batch().seconds();
   result.evaluations = problem.batch().materials();

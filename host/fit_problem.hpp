@@ -27,6 +27,7 @@ struct FitOptions {
   FitLoss loss = FitLoss::linear;
   /// Between the channels of a spectrum: rho, V and V_m; otherwise nothing.
   bool share_geometry = true;
+  ModelSwitches switches;
 };
 
 /// The samples of one channel that a fit uses.

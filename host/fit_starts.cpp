@@ -18,9 +18,20 @@ struct ShapeRange {
   double high;
   double low_share;
 };
-constexpr std::array<ShapeRange, 14> shape_ranges{{{0.6, 4, 0},     {0.01, 4, 0.4},  {1, 1, 1},        {0.004, 1.5, 0},  {1, 1, 1},
-                                                   {0.15, 10, 0},   {1, 1, 1},       {0.01, 3, 0},     {0.03, 1, 0},     {0.01, 5, 0},
-                                                   {0.05, 30, 0.1}, {0.01, 5, 0.2},  {0.6, 3, 0},      {0.05, 40, 0.3}}};
+constexpr std::array<ShapeRange, 14> shape_ranges{{{0.6, 4, 0},
+                                                   {0.01, 4, 0.4},
+                                                   {1, 1, 1},
+                                                   {0.004, 1.5, 0},
+                                                   {1, 1, 1},
+                                                   {0.15, 10, 0},
+                                                   {1, 1, 1},
+                                                   {0.01, 3, 0},
+                                                   {0.03, 1, 0},
+                                                   {0.01, 5, 0},
+                                                   {0.05, 30, 0.1},
+                                                   {0.01, 5, 0.2},
+                                                   {0.6, 3, 0},
+                                                   {0.05, 40, 0.3}}};
 constexpr std::array<std::size_t, 3> amplitudes{2, 4, 6};
 
 Parameters draw(const FitProblem& problem, std::mt19937_64& random) {
@@ -77,8 +88,7 @@ void set_amplitudes(const FitProblem& problem, std::size_t band, const BandValue
     double target = 1;
     for (std::size_t lobe = 0; lobe < 3; ++lobe) {
       part[static_cast<Eigen::Index>(lobe)] = values.by(amplitudes[lobe])[k] * std::exp(ratios[k]);
-      if (!free[lobe])
-        target -= part[static_cast<Eigen::Index>(lobe)] * (parameters.*parameter_table[amplitudes[lobe]].member);
+      if (!free[lobe]) target -= part[static_cast<Eigen::Index>(lobe)] * (parameters.*parameter_table[amplitudes[lobe]].member);
     }
     if (!part.allFinite()) continue;
     normal += data.weights[k] * part * part.transpose();
@@ -100,8 +110,7 @@ void set_amplitudes(const FitProblem& problem, std::size_t band, const BandValue
 std::vector<std::vector<double>> fit_starts(const FitProblem& problem, std::size_t count, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   std::vector<std::vector<Parameters>> draws;
-  for (std::size_t d = 0; d < draws_per_start * count; ++d)
-    draws.emplace_back(problem.bands().size(), draw(problem, random));
+  for (std::size_t d = 0; d < draws_per_start * count; ++d) draws.emplace_back(problem.bands().size(), draw(problem, random));
   const auto bare = problem.batch().evaluate_all(draws);
   for (std::size_t d = 0; d < draws.size(); ++d)
     for (std::size_t b = 0; b < draws[d].size(); ++b) set_amplitudes(problem, b, bare[d][b], draws[d][b]);

@@ -14,8 +14,9 @@ thread_local bool is_gathered = false;
 
 }  // namespace
 
-GradientBatch::GradientBatch(const Engine& engine, const std::vector<std::vector<DirectionPair>>& bands, double share_s) {
-  for (const auto& pairs : bands) bands_.emplace_back(engine, pairs, share_s);
+GradientBatch::GradientBatch(const Engine& engine, const std::vector<std::vector<DirectionPair>>& bands, double share_s,
+                             const ModelSwitches& switches) {
+  for (const auto& pairs : bands) bands_.emplace_back(engine, pairs, share_s, switches);
 }
 
 void GradientBatch::run(std::size_t count, std::size_t at_once, const std::function<void(std::size_t)>& work) {

@@ -24,7 +24,8 @@ struct BandValues {
 class GradientBatch {
  public:
   /// One list of directions for each band.
-  GradientBatch(const Engine& engine, const std::vector<std::vector<DirectionPair>>& bands, double share_s);
+  GradientBatch(const Engine& engine, const std::vector<std::vector<DirectionPair>>& bands, double share_s,
+                const ModelSwitches& switches);
 
   /// Calls work(0) ... work(count - 1), each in a thread of its own, `at_once` of them at a time; rethrows the first
   /// exception.

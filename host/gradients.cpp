@@ -4,6 +4,8 @@
 #include <boost/math/special_functions/digamma.hpp>
 #include <map>
 
+#include "host/error.hpp"
+
 namespace brdftab {
 namespace {
 
@@ -30,8 +32,11 @@ Constants gradient_constants(const Parameters& parameters) {
 template kernel_f64::GradientConstants gradient_constants(const Parameters&);
 template kernel_f32::GradientConstants gradient_constants(const Parameters&);
 
-LogBrdfGradients::LogBrdfGradients(const Engine& engine, std::span<const DirectionPair> pairs, double share_s)
-    : engine_(engine), pairs_(pairs.size()), share_s_(share_s) {
+LogBrdfGradients::LogBrdfGradients(const Engine& engine, std::span<const DirectionPair> pairs, double share_s,
+                                   const ModelSwitches& switches)
+    : engine_(engine), pairs_(pairs.size()), share_s_(share_s), switches_(switches) {
+  if (switches.normalization != Normalization::hemispherical || switches.autocovariance != Autocovariance::lorentzian)
+    throw BadInput("a fit takes normalization = hemispherical and autocovariance = lorentzian: the others have no derivatives");
   const std::size_t together = group * engine.directions_width();
   padded_ = (pairs.size() + together - 1) / together * together;
   std::vector<double> theta_i(padded_), theta_s(padded_), phi(padded_), angles;
@@ -78,7 +83,7 @@ LogBrdfValues LogBrdfGradients::evaluate(std::span<const Parameters> materials) 
     const cl::Buffer on_device = engine_.upload(std::span<const std::byte>(constants));
     const cl::Buffer n = engine_.buffer(part.size() * 12 * angles_ * bytes_of(engine_.working()));
     const cl::Buffer out = engine_.buffer(part.size() * rows * padded_ * bytes_of(engine_.working()));
-    const auto variant = model_variant<kernel_f64::ModelVariant>({});
+    const auto variant = model_variant<kernel_f64::ModelVariant>(switches_);
 
     cl::Kernel normalizations = engine_.gradient_kernel("normalization_gradients");
     set_arguments(normalizations, theta_, static_cast<cl_int>(angles_), on_device, n, variant);

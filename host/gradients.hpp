@@ -33,11 +33,13 @@ class LogBrdfValues {
   std::size_t pairs_;
 };
 
-/// The default model only: Lorentzian, hemispherical N, V_m on all lobes. N(theta_i) is integrated anew for each material.
+/// Lorentzian lobes with N per incidence only. N(theta_i) is integrated anew for each material.
 class LogBrdfGradients {
  public:
-  /// `share_s`: the part of s-polarised light; 1/2: unpolarised. The engine must outlive this.
-  LogBrdfGradients(const Engine& engine, std::span<const DirectionPair> pairs, double share_s);
+  /// `share_s`: the part of s-polarised light; 1/2: unpolarised. The engine must outlive this. Throws BadInput for a
+  /// variant of the model that has no derivatives.
+  LogBrdfGradients(const Engine& engine, std::span<const DirectionPair> pairs, double share_s,
+                   const ModelSwitches& switches = {});
 
   std::size_t pairs() const { return pairs_; }
   LogBrdfValues evaluate(std::span<const Parameters> materials) const;
@@ -48,6 +50,7 @@ class LogBrdfGradients {
   std::size_t padded_;
   std::size_t angles_;
   double share_s_;
+  ModelSwitches switches_;
   cl::Buffer theta_, theta_i_, theta_s_, phi_, incidence_;
 };
 

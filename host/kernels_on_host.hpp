@@ -53,7 +53,7 @@ struct Kernels {
   static Sample dhr(const Parameters&, const ModelSwitches&, Lobe, double theta_i, double* error = nullptr);
 
   /// ln f, and its derivatives by the parameters in the order of parameter_table; see LogBrdfGradients.
-  static std::array<double, 15> log_brdf_gradient(const Parameters&, const DirectionPair&, double share_s);
+  static std::array<double, 15> log_brdf_gradient(const Parameters&, const ModelSwitches&, const DirectionPair&, double share_s);
   /// ln N of a lobe, and its derivatives by ln rho, ln w and n.
   static std::array<double, 4> log_normalization_gradient(const Parameters&, Lobe, double theta_i);
 

@@ -48,15 +48,15 @@ void set_aside_repeated_rows(Measurement& measurement) {
   std::set<Key> directions;
   std::size_t again = 0;
   const std::size_t repeated = std::erase_if(measurement.samples, [&](const MeasuredSample& sample) {
-    const Key key{sample.channel, sample.pair.theta_i, sample.pair.model_theta_s(),
-                  std::remainder(sample.pair.model_phi(), 360)};
+    const Key key{sample.channel, sample.pair.theta_i, sample.pair.model_theta_s(), std::remainder(sample.pair.model_phi(), 360)};
     if (!rows.insert({key, sample.brdf}).second) return true;
     again += !directions.insert(key).second;
     return false;
   });
   if (repeated > 0) measurement.warnings.push_back(fmt::format("{} rows repeat an earlier one: set aside", repeated));
   if (again > 0)
-    measurement.warnings.push_back(fmt::format("{} samples have the directions of an earlier one and another value: kept", again));
+    measurement.warnings.push_back(
+        fmt::format("{} samples have the directions of an earlier one and another value: kept", again));
 }
 
 // A tenth of the values lie below this one: the diffuse level, whatever peaks there are.
@@ -77,9 +77,9 @@ void warn_of_other_units(Measurement& measurement) {
   const double reflectance = std::numbers::pi * lowest;
   if (reflectance <= suspicious_reflectance) return;
   const bool is_percent = reflectance > suspicious_reflectance * std::numbers::pi;
-  measurement.warnings.push_back(
-      fmt::format("f is at least {:.3g} 1/sr at nearly all directions, a reflectance of {:.3g}: this looks like {}; {} mends that",
-                  lowest, reflectance, is_percent ? "percent" : "pi f", is_percent ? "--scale 0.01" : "--scale 0.3183099"));
+  measurement.warnings.push_back(fmt::format(
+      "f is at least {:.3g} 1/sr at nearly all directions, a reflectance of {:.3g}: this looks like {}; {} mends that", lowest,
+      reflectance, is_percent ? "percent" : "pi f", is_percent ? "--scale 0.01" : "--scale 0.3183099"));
 }
 
 void warn_of_reversed_azimuth(Measurement& measurement) {

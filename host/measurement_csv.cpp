@@ -10,8 +10,7 @@ namespace {
 
 double number(const Csv& csv, std::string_view cell, std::string_view column, std::string_view allowed) {
   const auto value = parse_number(cell);
-  if (!value || std::isinf(*value))
-    throw BadInput("{}: {} = {}: must be {}", csv.where(), column, excerpt(cell), allowed);
+  if (!value || std::isinf(*value)) throw BadInput("{}: {} = {}: must be {}", csv.where(), column, excerpt(cell), allowed);
   return *value;
 }
 

@@ -36,7 +36,7 @@ __kernel void log_brdf_gradients(__global const scalar *restrict theta_i, __glob
       lane[l] = n[(material * LOBE_COUNT * N_COMPONENTS + c) * angles + incidence[k * BRDFTAB_WIDTH + l]];
     n_i[c] = LOAD(0, lane);
   }
-  const LogBrdfGradient f = log_brdf_gradient(polar_gradient(LOAD(k, theta_i), g), polar_gradient(LOAD(k, theta_s), g),
+  const LogBrdfGradient f = log_brdf_gradient(polar_gradient(LOAD(k, theta_i), g, variant), polar_gradient(LOAD(k, theta_s), g, variant),
                                               azimuth_factors(LOAD(k, phi)), n_i, share_s, g, variant);
   const size_t first = material * (1 + PARAMETER_COUNT) * vectors + k;
   STORE(f.ln_f, first, out);

@@ -1,4 +1,4 @@
-// ln f and its derivatives by the fourteen parameters, for the default model: Lorentzian, N per incidence, V_m on all lobes.
+// ln f and its derivatives by the fourteen parameters, for Lorentzian lobes with N per incidence.
 #pragma once
 #include "fresnel_gradient.h"
 #include "gradient.h"
@@ -13,12 +13,12 @@ typedef struct {
   FresnelGradient fresnel_slope;
 } PolarGradient;
 
-FN PolarGradient polar_gradient(real theta, GradientConstants g)
+FN PolarGradient polar_gradient(real theta, GradientConstants g, ModelVariant variant)
 {
   PolarGradient f;
   f.theta = theta;
   f.direction = sincos_degrees(theta);
-  f.v = width_shadowing_gradient(f.direction.sine, g);
+  f.v = width_shadowing_gradient(f.direction.sine, g, variant);
   f.fresnel = fresnel(f.direction.sine, f.direction.cosine, g.m);
   f.fresnel_slope = fresnel_gradient(f.direction.sine, f.direction.cosine, g.m);
   return f;
@@ -52,6 +52,7 @@ FN LogBrdfGradient log_brdf_gradient(PolarGradient i, PolarGradient s, AzimuthFa
   for (int k = 0; k < PARAMETER_COUNT; ++k)
     f.by[k] = REAL(0.0);
   real sum = REAL(0.0);
+  real shadowed = REAL(0.0);
   real by_g = REAL(0.0);
   for (int lobe = 0; lobe < LOBE_COUNT; ++lobe) {
     const int is_surface = lobe == LOBE_SURFACE;
@@ -60,11 +61,14 @@ FN LogBrdfGradient log_brdf_gradient(PolarGradient i, PolarGradient s, AzimuthFa
     const real d2 = fma(distance.transverse, lobe == LOBE_RETRO ? azimuth.cos2_half : azimuth.sin2_half, distance.axial);
     const real inverse_d = REAL(1.0) / (d2 + rho2);
     const real profile = n[lobe * N_COMPONENTS + N_VALUE] * inverse_d;
-    const real per_sigma = (is_surface ? g : subsurface) * profile;
+    const real bare = (is_surface ? g : subsurface) * profile;
+    const real passed = lobe_is_shadowed(lobe, variant) ? v_m.value : REAL(1.0);
+    const real per_sigma = bare * passed;
+    shadowed += lobe_is_shadowed(lobe, variant) ? sigma * bare : REAL(0.0);
     const real amplitude = sigma * per_sigma;
     const real share = rho2 * inverse_d;
     sum += amplitude;
-    by_g += (is_surface ? sigma : -sigma) * profile;
+    by_g += (is_surface ? sigma : -sigma) * profile * passed;
     f.by[BY_SIGMA_SURFACE + 2 * lobe] = per_sigma;
     f.by[BY_RHO_SURFACE + 2 * lobe] = amplitude * (n[lobe * N_COMPONENTS + N_BY_LN_RHO] - REAL(2.0) * share) *
                                       WIDE(SCALAR(1.0) / sqrt(lobe_rho2(lobe, m)));
@@ -74,14 +78,13 @@ FN LogBrdfGradient log_brdf_gradient(PolarGradient i, PolarGradient s, AzimuthFa
   }
   f.by[BY_N_EFF] = by_g * g_by_n_eff;
   f.by[BY_K_EFF] = by_g * g_by_k_eff;
+  f.by[BY_W_A] = shadowed * v_m.by_w_a;
+  f.by[BY_W_B] = shadowed * v_m.by_w_b;
+  f.by[BY_GAMMA] = shadowed * v_m.by_gamma;
+  f.by[BY_DELTA] = shadowed * v_m.by_delta;
   const real inverse_sum = REAL(1.0) / sum;
   for (int k = 0; k < PARAMETER_COUNT; ++k)
     f.by[k] *= inverse_sum;
-  const real inverse_v_m = REAL(1.0) / v_m.value;
-  f.by[BY_W_A] = v_m.by_w_a * inverse_v_m;
-  f.by[BY_W_B] = v_m.by_w_b * inverse_v_m;
-  f.by[BY_GAMMA] = v_m.by_gamma * inverse_v_m;
-  f.by[BY_DELTA] = v_m.by_delta * inverse_v_m;
-  f.ln_f = sum * v_m.value > REAL(0.0) ? logarithm(sum * v_m.value) : WIDE(-INFINITY);
+  f.ln_f = sum > REAL(0.0) ? logarithm(sum) : WIDE(-INFINITY);
   return f;
 }

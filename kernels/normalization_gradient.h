@@ -44,7 +44,7 @@ FN_SHARED NormalizationGradient normalization_gradient(SineCosine incidence, int
   const real mu2_i = incidence.cosine * incidence.cosine;
   const real a = incidence.sine * incidence.sine;
   const PeakWidth width = peak_width(incidence.sine, incidence.cosine, rho2, g.m, variant);
-  const WidthShadowingGradient v_i = width_shadowing_gradient(incidence.sine, g);
+  const WidthShadowingGradient v_i = width_shadowing_gradient(incidence.sine, g, variant);
   // What a peak too narrow for numbers adds is ln_missing, const - ln rho^2 - 2 ln V(sin theta_i).
   const scalar missing = first_lane(width.ln_missing);
   const scalar by_missing = missing > SCALAR(0.0) ? SCALAR(2.0) : SCALAR(0.0);
@@ -66,7 +66,7 @@ FN_SHARED NormalizationGradient normalization_gradient(SineCosine incidence, int
       for (int k = 0; k < (PANEL_NODES + 1) / BRDFTAB_WIDTH; ++k) {
         const PeakPoint point =
             peak_point(fma(WIDE(march.step), LOAD(k, panel_node), WIDE(march.position)), segment);
-        const WidthShadowingGradient v_s = width_shadowing_gradient(sqrt(point.u), g);
+        const WidthShadowingGradient v_s = width_shadowing_gradient(sqrt(point.u), g, variant);
         const real p_resolved = foreshortening2(incidence.cosine, point.mu_s, variant) *
                                 exponential(width.ln_rho2 + v_s.logarithm);
         const real p = p_resolved + width.floor;

@@ -15,8 +15,15 @@ typedef struct {
 // V = Q(a, a lambda), lambda = sin^2 theta / w^2, as upper_gamma() computes it, each step with its derivative by a.
 // By lambda: dQ/dlambda = -a D/lambda, hence dV/d ln w = 2 a D. With x = a lambda and D as there,
 // d ln D/da = scale_slope - (lambda - 1 - ln lambda).
-FN_SHARED WidthShadowingGradient width_shadowing_gradient(real sine, GradientConstants g)
+FN_SHARED WidthShadowingGradient width_shadowing_gradient(real sine, GradientConstants g, ModelVariant variant)
 {
+  WidthShadowingGradient v;
+  v.value = REAL(1.0);
+  v.logarithm = REAL(0.0);
+  v.by_ln_w = REAL(0.0);
+  v.by_flatness = REAL(0.0);
+  if (!variant.width_shadowing)
+    return v;
   const MaterialConstants m = g.m;
   const scalar a = m.shape;
   const real lambda = sine * sine * m.inverse_w2;
@@ -34,7 +41,6 @@ FN_SHARED WidthShadowingGradient width_shadowing_gradient(real sine, GradientCon
     sum = fma(sum, ratio, REAL(1.0));
   }
   const real lower = d * sum;
-  WidthShadowingGradient v;
   v.value = REAL(1.0) - lower;
   v.logarithm = logarithm_1_plus(-lower);
   v.by_ln_w = SCALAR(2.0) * a * d / v.value;

@@ -19,8 +19,8 @@ constexpr double tolerance_slope = 2e-7;
 constexpr double tolerance_ln_f = 1e-9;
 constexpr double tolerance_device = 1e-9;
 
-double reference_ln_f(const Parameters& p, const DirectionPair& at, double share_s) {
-  const auto f = reference::Model(p).brdf(at.theta_i, at.model_theta_s(), at.model_phi());
+double reference_ln_f(const Parameters& p, const ModelSwitches& switches, const DirectionPair& at, double share_s) {
+  const auto f = reference::Model(p, switches).brdf(at.theta_i, at.model_theta_s(), at.model_phi());
   return std::log(share_s * f.s.total() + (1 - share_s) * f.p.total());
 }
 
@@ -43,9 +43,16 @@ TEST(Gradients, EqualDifferencesOfTheReference) {
     Parameters p = random.plausible();
     const double share_s = k % 3 == 0 ? 1 : k % 3 == 1 ? 0 : 0.5;
     const DirectionPair at{random.uniform(0, 80), random.uniform(0, 80), random.uniform(-180, 180), 0};
-    SCOPED_TRACE(fmt::format("{}share_s={} theta_i={} theta_s={} phi={}", text_of(p), share_s, at.theta_i, at.theta_s, at.phi));
-    const auto gradient = Double::log_brdf_gradient(p, at, share_s);
-    EXPECT_NEAR(gradient[0], reference_ln_f(p, at, share_s), tolerance_ln_f);
+    ModelSwitches switches;
+    if (k % 4 == 3) {
+      switches = random.switches();
+      switches.autocovariance = Autocovariance::lorentzian;
+      switches.normalization = Normalization::hemispherical;
+    }
+    SCOPED_TRACE(fmt::format("{}{} share_s={} theta_i={} theta_s={} phi={}", text_of(p), text_of(switches), share_s, at.theta_i,
+                             at.theta_s, at.phi));
+    const auto gradient = Double::log_brdf_gradient(p, switches, at, share_s);
+    EXPECT_NEAR(gradient[0], reference_ln_f(p, switches, at, share_s), tolerance_ln_f);
     for (std::size_t c = 0; c < parameter_table.size(); ++c) {
       const auto& row = parameter_table[c];
       const double value = p.*row.member;
@@ -55,7 +62,7 @@ TEST(Gradients, EqualDifferencesOfTheReference) {
       const auto f = [&](double x) {
         Parameters moved = p;
         moved.*row.member = x;
-        return reference_ln_f(moved, at, share_s);
+        return reference_ln_f(moved, switches, at, share_s);
       };
       const double expected = slope(f, value, h);
       EXPECT_NEAR(gradient[c + 1], expected, tolerance_slope * (std::abs(expected) + 1 / std::max(value, 0.05)))
@@ -80,7 +87,10 @@ TEST(Gradients, OfNormalizationEqualDifferencesOfTheReference) {
       return std::log(reference::Model(moved).normalization(Lobe::surface, theta_i).value);
     };
     EXPECT_NEAR(gradient[0], ln_n(&Parameters::n, p.n), 1e-10);
-    EXPECT_NEAR(gradient[1], p.rho_surface * slope([&](double x) { return ln_n(&Parameters::rho_surface, x); }, p.rho_surface, 4e-3 * p.rho_surface), 1e-7);
+    EXPECT_NEAR(
+        gradient[1],
+        p.rho_surface * slope([&](double x) { return ln_n(&Parameters::rho_surface, x); }, p.rho_surface, 4e-3 * p.rho_surface),
+        1e-7);
     EXPECT_NEAR(gradient[2], p.w * slope([&](double x) { return ln_n(&Parameters::w, x); }, p.w, 4e-3 * p.w), 1e-7);
     if (p.n > 0.1) {
       EXPECT_NEAR(gradient[3], slope([&](double x) { return ln_n(&Parameters::n, x); }, p.n, 2e-3 * p.n), 1e-7);
@@ -102,7 +112,7 @@ TEST(Gradients, OnTheDeviceEqualTheSameSourceInCpp) {
   const LogBrdfValues values = gradients.evaluate(materials);
   for (std::size_t m = 0; m < materials.size(); ++m)
     for (std::size_t k = 0; k < pairs.size(); ++k) {
-      const auto expected = Double::log_brdf_gradient(materials[m], pairs[k], 0.5);
+      const auto expected = Double::log_brdf_gradient(materials[m], {}, pairs[k], 0.5);
       EXPECT_NEAR(values.ln_f(m)[k], expected[0], tolerance_device);
       for (std::size_t c = 0; c < parameter_table.size(); ++c)
         EXPECT_NEAR(values.by(m, c)[k], expected[c + 1], tolerance_device * (1 + std::abs(expected[c + 1])))

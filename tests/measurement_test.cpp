@@ -65,7 +65,8 @@ std::string scan(double level, double peak, double sign) {
   std::string text = header;
   for (const double theta_i : {20, 60})
     for (double theta_s = -75; theta_s <= 75; theta_s += 5)
-      text += fmt::format("{},{},0,{},a\n", theta_i, theta_s, level + peak * std::exp(-std::pow((sign * theta_s - theta_i) / 10, 2)));
+      text +=
+          fmt::format("{},{},0,{},a\n", theta_i, theta_s, level + peak * std::exp(-std::pow((sign * theta_s - theta_i) / 10, 2)));
   return text;
 }
 

@@ -1,7 +1,10 @@
 #include "host/fit.hpp"
 
+#include <algorithm>
+
 #include "host/commands/command.hpp"
 #include "host/numbers.hpp"
+#include "host/switches.hpp"
 
 namespace brdftab {
 namespace {
@@ -17,11 +20,25 @@ struct Options {
   std::string share = "geometry";
   std::vector<std::string> fixed;
   std::vector<std::string> bounds;
+  std::vector<std::string> model;
   std::optional<std::string> device;
   MeasurementOptions measurement;
   FitOptions fit;
   bool force = false;
 };
+
+void choose_variant(ModelSwitches& switches, const std::string& text) {
+  const auto equals = std::min(text.find('='), text.size());
+  for (const SwitchRow& row : switch_table()) {
+    if (row.name != text.substr(0, equals)) continue;
+    const std::string value = text.substr(std::min(equals + 1, text.size()));
+    const auto choice = std::find(row.choices.begin(), row.choices.end(), value);
+    if (choice == row.choices.end()) throw BadInput("--model {}: must be one of {}", excerpt(text), fmt::join(row.choices, ", "));
+    row.set(switches, static_cast<int>(choice - row.choices.begin()));
+    return;
+  }
+  throw BadInput("--model {}: must be SWITCH=CHOICE, with a switch that `brdftab parameters` lists", excerpt(text));
+}
 
 std::size_t channel_index(const Measurement& measurement, const std::string& name) {
   for (std::size_t c = 0; c < measurement.channels.size(); ++c)
@@ -51,6 +68,7 @@ ExitStatus run(const Options& given, const CommonOptions& common) {
   Options options = given;
   for (const auto& text : options.fixed) fix_parameter(options.fit.choices, text);
   for (const auto& text : options.bounds) bound_parameter(options.fit.choices, text);
+  for (const auto& text : options.model) choose_variant(options.fit.switches, text);
   options.fit.share_s = options.polarization == "s" ? 1 : options.polarization == "p" ? 0 : 0.5;
   options.fit.weights = options.weights == "sigma"     ? FitWeights::sigma
                         : options.weights == "uniform" ? FitWeights::uniform
@@ -76,9 +94,10 @@ ExitStatus run(const Options& given, const CommonOptions& common) {
 
 std::function<ExitStatus()> fit_command(CLI::App& parser, const CommonOptions& common) {
   auto options = std::make_shared<Options>();
-  parser.add_option("DATA", options->data,
-                    "Measurement: CSV with theta_i_deg, theta_s_deg, phi_deg or phi_s_deg, brdf_per_sr and optionally channel or "
-                    "wavelength_nm and sigma")
+  parser
+      .add_option("DATA", options->data,
+                  "Measurement: CSV with theta_i_deg, theta_s_deg, phi_deg or phi_s_deg, brdf_per_sr and optionally channel or "
+                  "wavelength_nm and sigma")
       ->required();
   parser.add_option("-o,--output", options->output, "Material file to write (TOML)")->required();
   parser.add_option("--channel", options->channel, "The channel to fit, where the measurement has several");
@@ -90,6 +109,8 @@ std::function<ExitStatus()> fit_command(CLI::App& parser, const CommonOptions& c
       ->check(CLI::IsMember({"unpolarized", "s", "p"}));
   parser.add_option("--fix", options->fixed, "Hold a parameter: k_eff=0. Repeatable")->type_name("NAME=VALUE");
   parser.add_option("--bounds", options->bounds, "Bound a parameter: rho_surface=0.01:2. Repeatable")->type_name("NAME=LOW:HIGH");
+  parser.add_option("--model", options->model, "Variant of the model: reflectance_shadowing=surface. Repeatable")
+      ->type_name("SWITCH=CHOICE");
   parser.add_option("--starts", options->fit.starts, "Starting points")->check(CLI::Range(1, 10000));
   parser.add_option("--seed", options->fit.seed, "Of the starting points");
   parser.add_option("--max-theta", options->fit.max_theta, "Leave out samples beyond it, degrees")->check(CLI::Range(1., 90.));
@@ -98,7 +119,8 @@ std::function<ExitStatus()> fit_command(CLI::App& parser, const CommonOptions& c
       ->check(CLI::IsMember({"aoi", "uniform", "sigma"}));
   parser.add_option("--loss", options->loss, "linear (default) or cauchy, which outliers hardly move")
       ->check(CLI::IsMember({"linear", "cauchy"}));
-  parser.add_option("--scale", options->measurement.scale, "Factor from the file's values to f in 1/sr")->check(CLI::PositiveNumber);
+  parser.add_option("--scale", options->measurement.scale, "Factor from the file's values to f in 1/sr")
+      ->check(CLI::PositiveNumber);
   parser.add_flag("--flip-azimuth", options->measurement.flip_azimuth, "The file counts azimuth from the backward side");
   parser.add_flag("--force", options->force, "Overwrite an existing material file");
   add_device_option(parser, options->device);
