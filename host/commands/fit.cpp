@@ -1,9 +1,14 @@
-#include "host/fit.hpp"
-
 #include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <set>
 
 #include "host/commands/command.hpp"
+#include "host/fit_summary.hpp"
 #include "host/numbers.hpp"
+#include "host/partial_file.hpp"
 #include "host/switches.hpp"
 
 namespace brdftab {
@@ -18,6 +23,9 @@ struct Options {
   std::string weights = "aoi";
   std::string loss = "linear";
   std::string share = "geometry";
+  std::string intervals;
+  std::string name;
+  std::string source;
   std::vector<std::string> fixed;
   std::vector<std::string> bounds;
   std::vector<std::string> model;
@@ -48,13 +56,30 @@ std::size_t channel_index(const Measurement& measurement, const std::string& nam
   throw BadInput("--channel {}: {} has {}", excerpt(name), measurement.source, fmt::join(measurement.channels, ", "));
 }
 
+// Bands of a material increase in wavelength.
+Measurement by_wavelength(const Measurement& measurement) {
+  std::map<double, std::size_t> order;
+  for (std::size_t c = 0; c < measurement.channels.size(); ++c)
+    if (!order.emplace(*measurement.wavelength_nm(c), c).second)
+      throw BadInput("{}: two channels are {} nm", measurement.source, shortest(*measurement.wavelength_nm(c)));
+  Measurement sorted{.source = measurement.source, .channels = {}, .samples = {}, .warnings = {}};
+  for (const auto& [wavelength, c] : order) {
+    for (MeasuredSample sample : measurement.channel(c).samples) {
+      sample.channel = sorted.channels.size();
+      sorted.samples.push_back(sample);
+    }
+    sorted.channels.push_back(measurement.channels[c]);
+  }
+  return sorted;
+}
+
 Measurement chosen_channels(const Options& options, const Measurement& measurement) {
   if (!options.wavelengths.empty()) {
     for (std::size_t c = 0; c < measurement.channels.size(); ++c)
       if (!measurement.wavelength_nm(c))
         throw BadInput("--wavelengths all: the channel '{}' of {} is no wavelength in nm", excerpt(measurement.channels[c]),
                        measurement.source);
-    return measurement;
+    return by_wavelength(measurement);
   }
   if (!options.channel.empty()) return measurement.channel(channel_index(measurement, options.channel));
   if (measurement.channels.size() > 1)
@@ -62,6 +87,26 @@ Measurement chosen_channels(const Options& options, const Measurement& measureme
                    excerpt(fmt::format("{}", fmt::join(measurement.channels, ", ")), 200),
                    measurement.wavelength_nm(0) ? "; --wavelengths all fits them together" : "");
   return measurement;
+}
+
+std::size_t incidences(const Measurement& measurement) {
+  std::set<double> angles;
+  for (const auto& sample : measurement.samples) angles.insert(sample.pair.theta_i);
+  return angles.size();
+}
+
+std::string source_line(const Options& options) {
+  const std::string file = std::filesystem::path(options.data).filename().string();
+  if (!options.source.empty()) return fmt::format("{}; {}", options.source, file);
+  return options.channel.empty() ? file : fmt::format("{}, channel {}", file, options.channel);
+}
+
+void write(PartialFile& file, const std::string& target, const std::string& text) {
+  std::ofstream out(file.path(), std::ios::binary);
+  out << text;
+  out.close();
+  if (!out) throw FileError("{}: cannot be written: {}", target, std::generic_category().message(errno));
+  file.commit();
 }
 
 ExitStatus run(const Options& given, const CommonOptions& common) {
@@ -75,18 +120,30 @@ ExitStatus run(const Options& given, const CommonOptions& common) {
                                                        : FitWeights::aoi;
   options.fit.loss = options.loss == "cauchy" ? FitLoss::cauchy : FitLoss::linear;
   options.fit.share_geometry = options.share == "geometry";
+  std::optional<PartialFile> file;
+  file.emplace(options.output, options.force);
   const Measurement whole = read_measurement(options.data, options.measurement);
   for (const auto& warning : whole.warnings) say(common, fmt::format("warning: {}: {}", whole.source, warning));
   const Measurement measurement = chosen_channels(options, whole);
   const Device device = select_device(options.device);
   const Engine engine(device, Precision::float64, Precision::float32);
+  const auto start = std::chrono::steady_clock::now();
   FitProblem problem(engine, measurement, options.fit);
-  const Fit result = fit(problem);
-  for (const auto& band : problem.parameters(result.best.u))
-    for (const auto& row : parameter_table) fmt::print("{} = {}\n", row.name, shortest(band.*row.member));
-  fmt::print("rms {:.4g} cost {:.6g} samples {} converged {} reached {} of {}, {:.2f} s, kernels {:.2f} s, {} evaluations\n",
-             problem.rms(result.best.u), result.best.cost, problem.samples(), result.converged, result.reached, result.starts,
-             result.seconds, result.kernel_seconds, result.evaluations);
+  if (incidences(measurement) == 1)
+    say(common, fmt::format("warning: {}: one incidence only: what depends on theta_i stays open", measurement.source));
+  const bool profile = options.intervals.empty() ? problem.bands().size() == 1 : options.intervals == "profile";
+  const Fit found = fit(problem);
+  const FitSummary summary = summarize(engine, problem, found, profile);
+  const std::string name = options.name.empty() ? std::filesystem::path(options.data).stem().string() : options.name;
+  const std::string material = material_text(problem, summary, {name, source_line(options), common.command_line});
+  write(*file, options.output, material);
+  const std::string text = summary_text(problem, summary);
+  std::fwrite(text.data(), 1, text.size(), stdout);
+  const double all = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  say(common,
+      fmt::format(
+          "search {:.2f} s ({:.0f} % of it in kernels, the rest in the solver), {} evaluations; with intervals {:.2f} s; on {}",
+          found.seconds, 100 * found.kernel_seconds / found.seconds, found.evaluations, all, device.name));
   return ExitStatus::done;
 }
 
@@ -119,6 +176,12 @@ std::function<ExitStatus()> fit_command(CLI::App& parser, const CommonOptions& c
       ->check(CLI::IsMember({"aoi", "uniform", "sigma"}));
   parser.add_option("--loss", options->loss, "linear (default) or cauchy, which outliers hardly move")
       ->check(CLI::IsMember({"linear", "cauchy"}));
+  parser
+      .add_option("--intervals", options->intervals,
+                  "profile: by profile likelihood (default for one channel); linear: from standard errors (default for spectra)")
+      ->check(CLI::IsMember({"profile", "linear"}));
+  parser.add_option("--name", options->name, "Of the material; default: the file's");
+  parser.add_option("--source", options->source, "Of the measurement, for the material file");
   parser.add_option("--scale", options->measurement.scale, "Factor from the file's values to f in 1/sr")
       ->check(CLI::PositiveNumber);
   parser.add_flag("--flip-azimuth", options->measurement.flip_azimuth, "The file counts azimuth from the backward side");
