@@ -18,6 +18,8 @@ constexpr double reached_rms = 1.01;
 // 95 % efficient for normal residuals: 2.385 of their standard deviation, which is 1.4826 of the median modulus.
 constexpr double cauchy_scale = 2.385 * 1.4826;
 
+constexpr int cauchy_rounds = 5;
+
 constexpr Patience first_descent{.iterations = 80, .tolerance = 1e-5};
 constexpr Patience polish{.iterations = 400, .tolerance = 1e-13};
 
@@ -55,7 +57,9 @@ Fit fit(FitProblem& problem) {
   sort_by_cost(minima);
   std::vector<Minimum> polished = descend(problem, best_points(minima, most_polished), polish);
   sort_by_cost(polished);
-  if (options.loss == FitLoss::cauchy && !polished.empty()) {
+  // The scale follows from residuals that outliers have moved: it takes some rounds to settle.
+  for (int round = 0; options.loss == FitLoss::cauchy && !polished.empty() && round < cauchy_rounds; ++round) {
+    problem.loss_scale = std::numeric_limits<double>::infinity();
     problem.loss_scale = cauchy_scale * std::max(median_modulus(problem.residuals(polished.front().u).values), 1e-6);
     polished = descend(problem, best_points(polished, most_polished), polish);
     sort_by_cost(polished);

@@ -9,8 +9,7 @@
 namespace brdftab {
 namespace {
 
-constexpr double strong = 0.9;
-constexpr std::size_t most_correlations = 8;
+constexpr std::size_t most_correlations = 6;
 
 std::string name_of(const FitProblem& problem, const FitVariable& variable) {
   if (variable.bands.size() == problem.bands().size()) return std::string(variable.row().name);
@@ -43,7 +42,7 @@ std::vector<Correlation> strongest_correlations(const FitProblem& problem, const
       const auto name = [&](Eigen::Index k) {
         return name_of(problem, problem.variables()[linear.active[static_cast<std::size_t>(k)]]);
       };
-      if (std::abs(value) >= strong) result.push_back({name(j), name(i), value});
+      result.push_back({name(j), name(i), value});
     }
   std::stable_sort(result.begin(), result.end(),
                    [](const auto& a, const auto& b) { return std::abs(a.value) > std::abs(b.value); });

@@ -41,7 +41,7 @@ struct FitSummary {
   std::vector<Parameters> bands;
   std::vector<FittedVariable> variables;
   LinearUncertainty linear;
-  /// Beyond 0.9 in modulus, the strongest first.
+  /// The strongest.
   std::vector<Correlation> correlations;
   std::vector<IncidenceRms> incidences;
   std::vector<Sufficiency> sufficiency;

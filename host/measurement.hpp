@@ -51,7 +51,7 @@ struct MeasurementOptions {
 /// counted. Throws FileError where it cannot be read, and BadInput `FILE:LINE: ...` where its content is no measurement.
 Measurement read_measurement(const std::filesystem::path& file, const MeasurementOptions& options = {});
 
-/// CSV with the columns of `read_directions`, brdf_per_sr (1/sr), and optionally channel or wavelength_nm, and sigma (1/sr).
+/// CSV with the columns of `read_directions`, brdf_per_sr or brdf (1/sr), and optionally channel or wavelength_nm, and sigma (1/sr).
 Measurement read_csv_measurement(std::istream& in, const std::string& source);
 
 /// Sets aside what is no positive number, and repeated rows; then adds warnings where values or azimuths look

@@ -20,7 +20,8 @@ Measurement read_csv_measurement(std::istream& in, const std::string& source) {
   constexpr std::string_view wanted = "theta_i_deg, theta_s_deg, phi_deg and brdf_per_sr";
   Csv csv(in, source, wanted);
   const DirectionColumns directions(csv);
-  const auto brdf = csv.column("brdf_per_sr");
+  // `evaluate` writes brdf: the model's own values are a measurement too.
+  const auto brdf = csv.column("brdf_per_sr") ? csv.column("brdf_per_sr") : csv.column("brdf");
   if (!brdf) throw BadInput("{}: the column brdf_per_sr is missing; a header names {}", csv.where(), wanted);
   const auto sigma = csv.column("sigma");
   const auto channel = csv.column("wavelength_nm") ? csv.column("wavelength_nm") : csv.column("channel");
