@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "host/csv.hpp"
+
 namespace brdftab {
 
 /// Angles in degrees as the file gives them, and as the model takes them.
@@ -18,8 +20,20 @@ struct DirectionPair {
   double model_phi() const { return theta_s < 0 ? phi + 180 : phi; }
 };
 
-/// Reads CSV with the columns theta_i_deg, theta_s_deg and phi_deg (or phi_s_deg, with phi_i_deg if there is one),
-/// in any order; `#` lines and other columns are ignored. Throws BadInput with `SOURCE:LINE: ...`.
+/// The columns theta_i_deg, theta_s_deg and phi_deg (or phi_s_deg, with phi_i_deg if there is one) of a CSV file.
+class DirectionColumns {
+ public:
+  /// Throws BadInput where one is missing.
+  explicit DirectionColumns(const Csv& csv);
+  /// Throws BadInput `SOURCE:LINE: ...` where an angle is not a number in its range.
+  DirectionPair read(const Csv& csv, const std::vector<std::string_view>& cells) const;
+
+ private:
+  std::optional<std::size_t> theta_i_, theta_s_, phi_, phi_s_, phi_i_;
+};
+
+/// Reads CSV with those columns, in any order; `#` lines and other columns are ignored. Throws BadInput with
+/// `SOURCE:LINE: ...`.
 std::vector<DirectionPair> read_directions(std::istream& in, const std::string& source);
 
 }  // namespace brdftab

@@ -66,6 +66,12 @@ cl::Kernel Engine::directions_kernel(const char* name) const {
   return cl::Kernel(directions_, name);
 }
 
+cl::Kernel Engine::gradient_kernel(const char* name) const {
+  if (!gradients_())
+    gradients_ = build(fmt::format("{} -DBRDFTAB_GRADIENTS=1 -DBRDFTAB_WIDTH={}", build_options_, directions_width_));
+  return cl::Kernel(gradients_, name);
+}
+
 cl::Buffer Engine::buffer(std::size_t bytes) const {
   return cl::Buffer(context_, CL_MEM_READ_WRITE, std::max<std::size_t>(bytes, 1));
 }

@@ -44,6 +44,8 @@ class Engine {
   cl::Kernel kernel(const char* name) const { return cl::Kernel(program_, name); }
   /// A kernel over lists of pairs of directions, each work-item of which takes directions_width() pairs.
   cl::Kernel directions_kernel(const char* name) const;
+  /// A kernel of kernels/gradients.cl, of the same width.
+  cl::Kernel gradient_kernel(const char* name) const;
   std::size_t directions_width() const { return directions_width_; }
   /// `count` filled up to whole work-groups, so that PoCL compiles such a kernel for one local size.
   std::size_t padded_directions(std::size_t count) const;
@@ -84,6 +86,7 @@ class Engine {
   cl::Program program_;
   std::size_t directions_width_;
   mutable cl::Program directions_;  // built when first asked for
+  mutable cl::Program gradients_;   // the same
 };
 
 /// Sets a kernel's arguments in order. A kernel does not keep its buffers: they must live until it is enqueued.

@@ -13,17 +13,21 @@
 namespace brdftab::kernel_f64 {
 using scalar = double;
 #include "kernels/material_constants.h"
+#include "kernels/gradient_constants.h"
 }  // namespace brdftab::kernel_f64
 
 namespace brdftab::kernel_f32 {
 using scalar = float;
 #include "kernels/material_constants.h"
+#include "kernels/gradient_constants.h"
 }  // namespace brdftab::kernel_f32
 
 namespace brdftab {
 
 static_assert(sizeof(kernel_f64::MaterialConstants) == 20 * sizeof(double));
 static_assert(sizeof(kernel_f32::MaterialConstants) == 20 * sizeof(float));
+static_assert(sizeof(kernel_f64::GradientConstants) == 21 * sizeof(double));
+static_assert(kernel_f64::PARAMETER_COUNT == static_cast<int>(parameter_table.size()));
 static_assert(sizeof(kernel_f64::ModelVariant) == 5 * sizeof(int));
 
 /// Terms that sum x^k/((a+1)...(a+k)) takes to one part in 8/epsilon; its terms fall from the first for x < a + 1.

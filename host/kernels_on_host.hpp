@@ -2,6 +2,7 @@
 // and for tests, as rungs 1 and 2 of the ladder.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -50,6 +51,11 @@ struct Kernels {
   static Estimate normalization(const Parameters&, const ModelSwitches&, Lobe, double theta_i);
   /// DHR of a lobe; the error is of their sum, relative.
   static Sample dhr(const Parameters&, const ModelSwitches&, Lobe, double theta_i, double* error = nullptr);
+
+  /// ln f, and its derivatives by the parameters in the order of parameter_table; see LogBrdfGradients.
+  static std::array<double, 15> log_brdf_gradient(const Parameters&, const ModelSwitches&, const DirectionPair&, double share_s);
+  /// ln N of a lobe, and its derivatives by ln rho, ln w and n.
+  static std::array<double, 4> log_normalization_gradient(const Parameters&, Lobe, double theta_i);
 
   static PolarTables polar_tables(const Parameters&, const ModelSwitches&, std::span<const double> theta);
   static AzimuthTables azimuth_tables(std::span<const double> phi);

@@ -24,6 +24,7 @@ constexpr CommandRow command_table[] = {
     {"generate", "Tabulate materials into table files", generate_command},
     {"evaluate", "Evaluate a material at the directions of a CSV file", evaluate_command},
     {"integrate", "Integrate a material over the hemisphere: N, DHR and BHR", integrate_command},
+    {"fit", "Fit the fourteen parameters to a measured BRDF", fit_command},
     {"validate", "Read a table back and compare it with the scalar reference", validate_command},
     {"info", "Show what a table holds", info_command},
     {"bench", "Measure kernels against the device's store rate and the scalar reference", bench_command},

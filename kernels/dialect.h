@@ -78,6 +78,9 @@ typedef std::int32_t bits;
 #endif
 #define AS_REAL(pattern) std::bit_cast<real>(pattern)
 #define AS_BITS(number) std::bit_cast<bits>(number)
+#define BRDFTAB_WIDTH 1
+#define LOAD(k, numbers) ((numbers)[k])
+#define STORE(number, k, numbers) ((numbers)[k] = (number))
 
 #endif
 
@@ -96,10 +99,10 @@ typedef std::int32_t bits;
 #define ROUNDING SCALAR(6755399441055744.0)
 // Relative tolerances asked of each panel: of N, of DHR over theta_s, and of DHR over phi;
 // the length of a panel that is accepted as it is; and an error of DHR that does not matter.
-#define PANEL_TOLERANCE REAL(1e-13)
+#define PANEL_TOLERANCE SCALAR(1e-13)
 #define DHR_TOLERANCE REAL(1e-11)
 #define RING_TOLERANCE REAL(5e-9)
-#define SMALLEST_PANEL REAL(1e-9)
+#define SMALLEST_PANEL SCALAR(1e-9)
 #define NEGLIGIBLE_DHR REAL(1e-22)
 // ln of the smallest rho'^2 that the integral over a lobe resolves; its square must not underflow.
 #define LN_RHO2_FLOOR REAL(-460.0)
@@ -113,10 +116,10 @@ typedef std::int32_t bits;
 #define EXPONENT_BIAS SCALAR(127.0)
 #define SQRT_HALF_BITS 0x3f3504f3
 #define ROUNDING SCALAR(12582912.0)
-#define PANEL_TOLERANCE REAL(1e-6)
+#define PANEL_TOLERANCE SCALAR(1e-6)
 #define DHR_TOLERANCE REAL(1e-5)
 #define RING_TOLERANCE REAL(3e-6)
-#define SMALLEST_PANEL REAL(1e-4)
+#define SMALLEST_PANEL SCALAR(1e-4)
 #define NEGLIGIBLE_DHR REAL(1e-16)
 #define LN_RHO2_FLOOR REAL(-69.0)
 #endif

@@ -23,7 +23,7 @@ def rows(text):
 
 class Habits(unittest.TestCase):
     def test_every_command_has_help_and_version(self):
-        for command in ([], ["generate"], ["evaluate"], ["integrate"], ["info"], ["devices"], ["parameters"]):
+        for command in ([], ["generate"], ["evaluate"], ["integrate"], ["fit"], ["info"], ["devices"], ["parameters"]):
             self.assertIn("Usage", run(*command, "--help").stdout)
             self.assertRegex(run(*command, "--version").stdout, r"^brdftab \d+\.\d+\.\d+\n$")
 

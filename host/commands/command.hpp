@@ -25,6 +25,7 @@ using Command = std::function<ExitStatus()> (*)(CLI::App& parser, const CommonOp
 std::function<ExitStatus()> generate_command(CLI::App&, const CommonOptions&);
 std::function<ExitStatus()> evaluate_command(CLI::App&, const CommonOptions&);
 std::function<ExitStatus()> integrate_command(CLI::App&, const CommonOptions&);
+std::function<ExitStatus()> fit_command(CLI::App&, const CommonOptions&);
 std::function<ExitStatus()> validate_command(CLI::App&, const CommonOptions&);
 std::function<ExitStatus()> info_command(CLI::App&, const CommonOptions&);
 std::function<ExitStatus()> bench_command(CLI::App&, const CommonOptions&);

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <random>
 
 #include "host/commands/command.hpp"
 #include "host/numbers.hpp"
@@ -19,6 +20,8 @@ struct Options {
   std::string engine = "opencl";
   std::string precision;
   std::optional<std::string> device;
+  double noise = 0;
+  std::uint64_t seed = 1;
   bool force = false;
 };
 
@@ -64,6 +67,18 @@ std::string table_text(const Material& material, std::span<const DirectionPair> 
   return fmt::to_string(text);
 }
 
+// As a measurement has it: one factor for s and p of a sample.
+void add_noise(std::vector<PolarizedBrdf>& values, const Options& options) {
+  if (options.noise == 0) return;
+  std::mt19937_64 random(options.seed);
+  std::normal_distribution<double> normal;
+  for (PolarizedBrdf& value : values) {
+    const double factor = std::exp(options.noise * normal(random));
+    value.s *= factor;
+    value.p *= factor;
+  }
+}
+
 ExitStatus run(const Options& options) {
   if (options.material == "-" && options.pairs == "-") throw BadInput("MATERIAL and PAIRS cannot both be standard input");
   const Material material = Material::read(options.material);
@@ -84,8 +99,11 @@ ExitStatus run(const Options& options) {
     for (const Band& band : material.bands()) values.push_back(evaluate(engine, band, material.switches(), pairs));
     digits = working == Precision::float64 ? 17 : 9;
   }
+  for (auto& band : values) add_noise(band, options);
   for (std::size_t b = 0; b < values.size(); ++b) check_finite(material, material.bands()[b], pairs, values[b], source);
-  const std::string text = table_text(material, pairs, values, digits);
+  std::string text = table_text(material, pairs, values, digits);
+  if (options.noise > 0)
+    text = fmt::format("# ln f with noise of standard deviation {}, seed {}\n", shortest(options.noise), options.seed) + text;
   if (!file) {
     std::fwrite(text.data(), 1, text.size(), stdout);
     return ExitStatus::done;
@@ -107,6 +125,9 @@ std::function<ExitStatus()> evaluate_command(CLI::App& parser, const CommonOptio
                     "CSV with the columns theta_i_deg, theta_s_deg, phi_deg (or phi_s_deg), in degrees; default: standard input");
   parser.add_option("-o,--output", options->output, "CSV file to write; default: standard output");
   add_engine_options(parser, options->engine, options->precision);
+  parser.add_option("--noise", options->noise, "Adds normal noise of this standard deviation to ln f: a synthetic measurement")
+      ->check(CLI::NonNegativeNumber);
+  parser.add_option("--seed", options->seed, "Of the noise");
   parser.add_flag("--force", options->force, "Overwrite an existing output");
   add_device_option(parser, options->device);
   return [options] { return run(*options); };

@@ -1,0 +1,193 @@
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <set>
+
+#include "host/commands/command.hpp"
+#include "host/fit_summary.hpp"
+#include "host/numbers.hpp"
+#include "host/partial_file.hpp"
+#include "host/switches.hpp"
+
+namespace brdftab {
+namespace {
+
+struct Options {
+  std::string data;
+  std::string output;
+  std::string channel;
+  std::string wavelengths;
+  std::string polarization = "unpolarized";
+  std::string weights = "aoi";
+  std::string loss = "linear";
+  std::string share = "geometry";
+  std::string intervals;
+  std::string name;
+  std::string source;
+  std::vector<std::string> fixed;
+  std::vector<std::string> bounds;
+  std::vector<std::string> model;
+  std::optional<std::string> device;
+  MeasurementOptions measurement;
+  FitOptions fit;
+  bool force = false;
+};
+
+void choose_variant(ModelSwitches& switches, const std::string& text) {
+  const auto equals = std::min(text.find('='), text.size());
+  for (const SwitchRow& row : switch_table()) {
+    if (row.name != text.substr(0, equals)) continue;
+    const std::string value = text.substr(std::min(equals + 1, text.size()));
+    const auto choice = std::find(row.choices.begin(), row.choices.end(), value);
+    if (choice == row.choices.end()) throw BadInput("--model {}: must be one of {}", excerpt(text), fmt::join(row.choices, ", "));
+    row.set(switches, static_cast<int>(choice - row.choices.begin()));
+    return;
+  }
+  throw BadInput("--model {}: must be SWITCH=CHOICE, with a switch that `brdftab parameters` lists", excerpt(text));
+}
+
+std::size_t channel_index(const Measurement& measurement, const std::string& name) {
+  for (std::size_t c = 0; c < measurement.channels.size(); ++c)
+    if (measurement.channels[c] == name ||
+        (measurement.wavelength_nm(c) && parse_number(name) && *measurement.wavelength_nm(c) == *parse_number(name)))
+      return c;
+  throw BadInput("--channel {}: {} has {}", excerpt(name), measurement.source, fmt::join(measurement.channels, ", "));
+}
+
+// Bands of a material increase in wavelength.
+Measurement by_wavelength(const Measurement& measurement) {
+  std::map<double, std::size_t> order;
+  for (std::size_t c = 0; c < measurement.channels.size(); ++c)
+    if (!order.emplace(*measurement.wavelength_nm(c), c).second)
+      throw BadInput("{}: two channels are {} nm", measurement.source, shortest(*measurement.wavelength_nm(c)));
+  Measurement sorted{.source = measurement.source, .channels = {}, .samples = {}, .warnings = {}};
+  for (const auto& [wavelength, c] : order) {
+    for (MeasuredSample sample : measurement.channel(c).samples) {
+      sample.channel = sorted.channels.size();
+      sorted.samples.push_back(sample);
+    }
+    sorted.channels.push_back(measurement.channels[c]);
+  }
+  return sorted;
+}
+
+Measurement chosen_channels(const Options& options, const Measurement& measurement) {
+  if (!options.wavelengths.empty()) {
+    for (std::size_t c = 0; c < measurement.channels.size(); ++c)
+      if (!measurement.wavelength_nm(c))
+        throw BadInput("--wavelengths all: the channel '{}' of {} is no wavelength in nm", excerpt(measurement.channels[c]),
+                       measurement.source);
+    return by_wavelength(measurement);
+  }
+  if (!options.channel.empty()) return measurement.channel(channel_index(measurement, options.channel));
+  if (measurement.channels.size() > 1)
+    throw BadInput("{}: has {} channels: --channel takes one of {}{}", measurement.source, measurement.channels.size(),
+                   excerpt(fmt::format("{}", fmt::join(measurement.channels, ", ")), 200),
+                   measurement.wavelength_nm(0) ? "; --wavelengths all fits them together" : "");
+  return measurement;
+}
+
+std::size_t incidences(const Measurement& measurement) {
+  std::set<double> angles;
+  for (const auto& sample : measurement.samples) angles.insert(sample.pair.theta_i);
+  return angles.size();
+}
+
+std::string source_line(const Options& options) {
+  const std::string file = std::filesystem::path(options.data).filename().string();
+  if (!options.source.empty()) return fmt::format("{}; {}", options.source, file);
+  return options.channel.empty() ? file : fmt::format("{}, channel {}", file, options.channel);
+}
+
+void write(PartialFile& file, const std::string& target, const std::string& text) {
+  std::ofstream out(file.path(), std::ios::binary);
+  out << text;
+  out.close();
+  if (!out) throw FileError("{}: cannot be written: {}", target, std::generic_category().message(errno));
+  file.commit();
+}
+
+ExitStatus run(const Options& given, const CommonOptions& common) {
+  Options options = given;
+  for (const auto& text : options.fixed) fix_parameter(options.fit.choices, text);
+  for (const auto& text : options.bounds) bound_parameter(options.fit.choices, text);
+  for (const auto& text : options.model) choose_variant(options.fit.switches, text);
+  options.fit.share_s = options.polarization == "s" ? 1 : options.polarization == "p" ? 0 : 0.5;
+  options.fit.weights = options.weights == "sigma"     ? FitWeights::sigma
+                        : options.weights == "uniform" ? FitWeights::uniform
+                                                       : FitWeights::aoi;
+  options.fit.loss = options.loss == "cauchy" ? FitLoss::cauchy : FitLoss::linear;
+  options.fit.share_geometry = options.share == "geometry";
+  std::optional<PartialFile> file;
+  file.emplace(options.output, options.force);
+  const Measurement whole = read_measurement(options.data, options.measurement);
+  for (const auto& warning : whole.warnings) say(common, fmt::format("warning: {}: {}", whole.source, warning));
+  const Measurement measurement = chosen_channels(options, whole);
+  const Device device = select_device(options.device);
+  const Engine engine(device, Precision::float64, Precision::float32);
+  const auto start = std::chrono::steady_clock::now();
+  FitProblem problem(engine, measurement, options.fit);
+  if (incidences(measurement) == 1)
+    say(common, fmt::format("warning: {}: one incidence only: what depends on theta_i stays open", measurement.source));
+  const bool profile = options.intervals.empty() ? problem.bands().size() == 1 : options.intervals == "profile";
+  const Fit found = fit(problem);
+  const FitSummary summary = summarize(engine, problem, found, profile);
+  const std::string name = options.name.empty() ? std::filesystem::path(options.data).stem().string() : options.name;
+  const std::string material = material_text(problem, summary, {name, source_line(options), common.command_line});
+  write(*file, options.output, material);
+  const std::string text = summary_text(problem, summary);
+  std::fwrite(text.data(), 1, text.size(), stdout);
+  const double all = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  say(common,
+      fmt::format(
+          "search {:.2f} s ({:.0f} % of it in kernels, the rest in the solver), {} evaluations; with intervals {:.2f} s; on {}",
+          found.seconds, 100 * found.kernel_seconds / found.seconds, found.evaluations, all, device.name));
+  return ExitStatus::done;
+}
+
+}  // namespace
+
+std::function<ExitStatus()> fit_command(CLI::App& parser, const CommonOptions& common) {
+  auto options = std::make_shared<Options>();
+  parser
+      .add_option("DATA", options->data,
+                  "Measurement: CSV with theta_i_deg, theta_s_deg, phi_deg or phi_s_deg, brdf_per_sr and optionally channel or "
+                  "wavelength_nm and sigma")
+      ->required();
+  parser.add_option("-o,--output", options->output, "Material file to write (TOML)")->required();
+  parser.add_option("--channel", options->channel, "The channel to fit, where the measurement has several");
+  parser.add_option("--wavelengths", options->wavelengths, "all: fit every channel to one material with bands")
+      ->check(CLI::IsMember({"all"}));
+  parser.add_option("--share", options->share, "What the bands share: geometry (rho, w_a, w_b, gamma, delta, w, n) or none")
+      ->check(CLI::IsMember({"geometry", "none"}));
+  parser.add_option("--polarization", options->polarization, "Of the measurement: unpolarized (default), s or p")
+      ->check(CLI::IsMember({"unpolarized", "s", "p"}));
+  parser.add_option("--fix", options->fixed, "Hold a parameter: k_eff=0. Repeatable")->type_name("NAME=VALUE");
+  parser.add_option("--bounds", options->bounds, "Bound a parameter: rho_surface=0.01:2. Repeatable")->type_name("NAME=LOW:HIGH");
+  parser.add_option("--model", options->model, "Variant of the model: reflectance_shadowing=surface. Repeatable")
+      ->type_name("SWITCH=CHOICE");
+  parser.add_option("--starts", options->fit.starts, "Starting points")->check(CLI::Range(1, 10000));
+  parser.add_option("--seed", options->fit.seed, "Of the starting points");
+  parser.add_option("--max-theta", options->fit.max_theta, "Leave out samples beyond it, degrees")->check(CLI::Range(1., 90.));
+  parser.add_option("--floor", options->fit.floor, "Leave out samples below it, 1/sr")->check(CLI::NonNegativeNumber);
+  parser.add_option("--weights", options->weights, "aoi: each angle of incidence alike (default), uniform, or sigma")
+      ->check(CLI::IsMember({"aoi", "uniform", "sigma"}));
+  parser.add_option("--loss", options->loss, "linear (default) or cauchy, which outliers hardly move")
+      ->check(CLI::IsMember({"linear", "cauchy"}));
+  parser
+      .add_option("--intervals", options->intervals,
+                  "profile: by profile likelihood (default for one channel); linear: from standard errors (default for spectra)")
+      ->check(CLI::IsMember({"profile", "linear"}));
+  parser.add_option("--name", options->name, "Of the material; default: the file's");
+  parser.add_option("--source", options->source, "Of the measurement, for the material file");
+  parser.add_option("--scale", options->measurement.scale, "Factor from the file's values to f in 1/sr")
+      ->check(CLI::PositiveNumber);
+  parser.add_flag("--flip-azimuth", options->measurement.flip_azimuth, "The file counts azimuth from the backward side");
+  parser.add_flag("--force", options->force, "Overwrite an existing material file");
+  add_device_option(parser, options->device);
+  return [options, &common] { return run(*options, common); };
+}
+
+}  // namespace brdftab

@@ -1,0 +1,81 @@
+#include "host/fit_summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace brdftab {
+namespace {
+
+constexpr std::size_t most_correlations = 6;
+
+std::string name_of(const FitProblem& problem, const FitVariable& variable) {
+  if (variable.bands.size() == problem.bands().size()) return std::string(variable.row().name);
+  return fmt::format("{}[{}]", variable.row().name, problem.bands()[variable.bands.front()].channel);
+}
+
+std::vector<IncidenceRms> rms_by_incidence(const FitProblem& problem, const std::vector<double>& u) {
+  const auto parameters = problem.parameters(u);
+  const auto evaluated = problem.batch().evaluate(parameters);
+  std::vector<IncidenceRms> result;
+  for (std::size_t b = 0; b < problem.bands().size(); ++b) {
+    const auto ratios = problem.log_ratios(evaluated[b], b);
+    std::map<double, std::pair<double, std::size_t>> sums;
+    for (std::size_t k = 0; k < ratios.size(); ++k) {
+      auto& [squares, count] = sums[problem.bands()[b].samples[k].pair.theta_i];
+      squares += ratios[k] * ratios[k];
+      ++count;
+    }
+    for (const auto& [theta_i, sum] : sums)
+      result.push_back({problem.bands()[b].channel, theta_i, sum.second, std::sqrt(sum.first / static_cast<double>(sum.second))});
+  }
+  return result;
+}
+
+std::vector<Correlation> strongest_correlations(const FitProblem& problem, const LinearUncertainty& linear) {
+  std::vector<Correlation> result;
+  for (Eigen::Index i = 0; i < linear.covariance.rows(); ++i)
+    for (Eigen::Index j = 0; j < i; ++j) {
+      const double value = linear.covariance(i, j) / std::sqrt(linear.covariance(i, i) * linear.covariance(j, j));
+      const auto name = [&](Eigen::Index k) {
+        return name_of(problem, problem.variables()[linear.active[static_cast<std::size_t>(k)]]);
+      };
+      result.push_back({name(j), name(i), value});
+    }
+  std::stable_sort(result.begin(), result.end(),
+                   [](const auto& a, const auto& b) { return std::abs(a.value) > std::abs(b.value); });
+  if (result.size() > most_correlations) result.resize(most_correlations);
+  return result;
+}
+
+}  // namespace
+
+FitSummary summarize(const Engine& engine, const FitProblem& problem, Fit fit, bool profile) {
+  FitSummary summary{};
+  std::vector<Interval95> intervals;
+  if (profile) intervals = profile_intervals(problem, fit.best);
+  summary.linear = linear_uncertainty(problem, fit.best);
+  if (!profile) intervals = linear_intervals(problem, fit.best, summary.linear);
+  summary.bands = problem.parameters(fit.best.u);
+  std::vector<std::size_t> poorly_known;
+  for (std::size_t v = 0; v < problem.variables().size(); ++v) {
+    const FitVariable& variable = problem.variables()[v];
+    const double value = variable.from_solver(fit.best.u[v]);
+    const double error = summary.linear.standard_error(v) * variable.slope(fit.best.u[v]);
+    summary.variables.push_back({name_of(problem, variable), value,
+                                 std::isfinite(error) ? error : std::numeric_limits<double>::quiet_NaN(), intervals[v],
+                                 variable.at_minimum(value) || variable.at_maximum(value)});
+    if (summary.variables.back().poorly_known() && std::isfinite(error)) poorly_known.push_back(v);
+  }
+  summary.correlations = strongest_correlations(problem, summary.linear);
+  summary.incidences = rms_by_incidence(problem, fit.best.u);
+  summary.sufficiency = sufficiency(engine, problem, fit.best, summary.linear, poorly_known);
+  summary.rms = problem.rms(fit.best.u);
+  summary.profiled = profile;
+  summary.fit = std::move(fit);
+  return summary;
+}
+
+}  // namespace brdftab

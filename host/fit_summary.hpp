@@ -1,0 +1,68 @@
+// What a fit knows and does not know, gathered for people to read.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "host/fit.hpp"
+#include "host/fit_sufficiency.hpp"
+
+namespace brdftab {
+
+struct FittedVariable {
+  /// "rho_surface", or "n_eff[550]" where only one band has it.
+  std::string name;
+  double value;
+  /// nan where it is at a bound or has no influence.
+  double standard_error;
+  Interval95 interval;
+  bool at_bound;
+
+  bool unidentifiable() const { return interval.open_below && interval.open_above; }
+  /// Within a factor of two at best.
+  bool poorly_known() const { return interval.open_below || interval.open_above || interval.high > 2 * interval.low; }
+};
+
+struct Correlation {
+  std::string first;
+  std::string second;
+  double value;
+};
+
+struct IncidenceRms {
+  std::string channel;
+  double theta_i;
+  std::size_t samples;
+  double rms;
+};
+
+struct FitSummary {
+  Fit fit;
+  std::vector<Parameters> bands;
+  std::vector<FittedVariable> variables;
+  LinearUncertainty linear;
+  /// The strongest.
+  std::vector<Correlation> correlations;
+  std::vector<IncidenceRms> incidences;
+  std::vector<Sufficiency> sufficiency;
+  double rms;
+  bool profiled;
+};
+
+/// `profile`: intervals by profile likelihood, else from standard errors. A better fit found on the way replaces fit.best.
+FitSummary summarize(const Engine& engine, const FitProblem& problem, Fit fit, bool profile);
+
+/// The table on standard output.
+std::string summary_text(const FitProblem& problem, const FitSummary& summary);
+
+/// What a material file says besides its parameters.
+struct MaterialHeading {
+  std::string name;
+  std::string source;
+  std::string command;
+};
+
+/// The material file (TOML), with the statistics as comments.
+std::string material_text(const FitProblem& problem, const FitSummary& summary, const MaterialHeading& heading);
+
+}  // namespace brdftab

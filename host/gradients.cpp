@@ -1,0 +1,106 @@
+#include "host/gradients.hpp"
+
+#include <algorithm>
+#include <boost/math/special_functions/digamma.hpp>
+#include <map>
+
+#include "host/error.hpp"
+
+namespace brdftab {
+namespace {
+
+// Work-items in a work-group; lists are filled up to whole ones, so that PoCL compiles one local size for all.
+constexpr std::size_t group = 8;
+// Bounds the memory that one launch takes.
+constexpr std::size_t most_materials_at_once = 256;
+
+}  // namespace
+
+template <class Constants>
+Constants gradient_constants(const Parameters& parameters) {
+  using Real = decltype(Constants::scale_slope);
+  const long double a = 1 + static_cast<long double>(parameters.n);
+  Constants constants{.m = material_constants<decltype(Constants::m)>(parameters),
+                      .scale_slope = static_cast<Real>(std::log(a) - boost::math::digamma(1 + a))};
+  // The derivative by a of the incomplete gamma function's expansions converges a little later than they do.
+  const auto more = [](Real terms) { return terms > 0 ? std::ceil(terms * Real(1.2)) + 4 : Real(0); };
+  constants.m.series_terms = more(constants.m.series_terms);
+  constants.m.fraction_terms = more(constants.m.fraction_terms);
+  return constants;
+}
+
+template kernel_f64::GradientConstants gradient_constants(const Parameters&);
+template kernel_f32::GradientConstants gradient_constants(const Parameters&);
+
+LogBrdfGradients::LogBrdfGradients(const Engine& engine, std::span<const DirectionPair> pairs, double share_s,
+                                   const ModelSwitches& switches)
+    : engine_(engine), pairs_(pairs.size()), share_s_(share_s), switches_(switches) {
+  if (switches.normalization != Normalization::hemispherical || switches.autocovariance != Autocovariance::lorentzian)
+    throw BadInput("a fit takes normalization = hemispherical and autocovariance = lorentzian: the others have no derivatives");
+  const std::size_t together = group * engine.directions_width();
+  padded_ = (pairs.size() + together - 1) / together * together;
+  std::vector<double> theta_i(padded_), theta_s(padded_), phi(padded_), angles;
+  std::vector<int> incidence(padded_);
+  std::map<double, int> known;
+  for (std::size_t k = 0; k < padded_; ++k) {
+    const DirectionPair& pair = pairs[std::min(k, pairs.size() - 1)];
+    theta_i[k] = pair.theta_i;
+    theta_s[k] = pair.model_theta_s();
+    phi[k] = pair.model_phi();
+    const auto [at, is_new] = known.try_emplace(pair.theta_i, static_cast<int>(angles.size()));
+    if (is_new) angles.push_back(pair.theta_i);
+    incidence[k] = at->second;
+  }
+  angles_ = angles.size();
+  theta_ = engine.upload_polar_angles(angles);
+  theta_i_ = engine.upload_polar_angles(theta_i);
+  theta_s_ = engine.upload_polar_angles(theta_s);
+  phi_ = engine.upload(phi);
+  incidence_ = engine.upload(incidence);
+}
+
+LogBrdfValues LogBrdfGradients::evaluate(std::span<const Parameters> materials) const {
+  constexpr std::size_t rows = 1 + parameter_table.size();
+  std::vector<double> values;
+  values.reserve(materials.size() * rows * padded_);
+  const auto bytes_of_materials = [&](std::span<const Parameters> part) {
+    std::vector<std::byte> bytes;
+    const auto append = [&](const auto& constants) {
+      const auto raw = std::as_bytes(std::span(&constants, 1));
+      bytes.insert(bytes.end(), raw.begin(), raw.end());
+    };
+    for (const Parameters& p : part) {
+      if (engine_.working() == Precision::float64)
+        append(gradient_constants<kernel_f64::GradientConstants>(p));
+      else
+        append(gradient_constants<kernel_f32::GradientConstants>(p));
+    }
+    return bytes;
+  };
+  for (std::size_t begin = 0; begin < materials.size(); begin += most_materials_at_once) {
+    const auto part = materials.subspan(begin, std::min(most_materials_at_once, materials.size() - begin));
+    const auto constants = bytes_of_materials(part);
+    const cl::Buffer on_device = engine_.upload(std::span<const std::byte>(constants));
+    const cl::Buffer n = engine_.buffer(part.size() * 12 * angles_ * bytes_of(engine_.working()));
+    const cl::Buffer out = engine_.buffer(part.size() * rows * padded_ * bytes_of(engine_.working()));
+    const auto variant = model_variant<kernel_f64::ModelVariant>(switches_);
+
+    cl::Kernel normalizations = engine_.gradient_kernel("normalization_gradients");
+    set_arguments(normalizations, theta_, static_cast<cl_int>(angles_), on_device, n, variant);
+    engine_.run_items(normalizations, {angles_, 3, part.size()});
+
+    cl::Kernel gradients = engine_.gradient_kernel("log_brdf_gradients");
+    set_arguments(gradients, theta_i_, theta_s_, phi_, incidence_, n, static_cast<cl_int>(angles_));
+    Engine::set_number(gradients, 6, engine_.working(), share_s_);
+    gradients.setArg(7, on_device);
+    gradients.setArg(8, out);
+    gradients.setArg(9, variant);
+    engine_.queue().enqueueNDRangeKernel(gradients, cl::NullRange, {padded_ / engine_.directions_width(), part.size()},
+                                         {group, 1});
+    const auto numbers = engine_.download(out, part.size() * rows * padded_);
+    values.insert(values.end(), numbers.begin(), numbers.end());
+  }
+  return {std::move(values), padded_, pairs_};
+}
+
+}  // namespace brdftab

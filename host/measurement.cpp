@@ -1,0 +1,164 @@
+#include "host/measurement.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <numbers>
+#include <set>
+#include <tuple>
+
+#include "host/error.hpp"
+#include "host/numbers.hpp"
+
+namespace brdftab {
+namespace {
+
+// A diffuse reflectance above 1 by more than a measurement's error; a radiance factor, pi f, reads at most pi times too high.
+constexpr double suspicious_reflectance = 1.1;
+// From here on a surface's forward scatter exceeds its backward scatter by far, unless it retro-reflects.
+constexpr double high_incidence = 45;
+constexpr double suspicious_asymmetry = 2;
+
+bool is_backward(const DirectionPair& pair) { return std::cos(pair.model_phi() * std::numbers::pi / 180) < 0; }
+
+void set_aside_what_is_not_positive(Measurement& measurement) {
+  std::size_t nans = 0;
+  std::size_t zeros = 0;
+  std::size_t negatives = 0;
+  const std::size_t count = measurement.samples.size();
+  std::erase_if(measurement.samples, [&](const MeasuredSample& sample) {
+    nans += std::isnan(sample.brdf);
+    zeros += sample.brdf == 0;
+    negatives += sample.brdf < 0;
+    return !(sample.brdf > 0);
+  });
+  const auto warn = [&](std::size_t number, std::string_view what) {
+    if (number > 0) measurement.warnings.push_back(fmt::format("{} of {} samples are {}: set aside", number, count, what));
+  };
+  warn(nans, "nan");
+  warn(zeros, "zero");
+  warn(negatives, "negative");
+}
+
+void set_aside_repeated_rows(Measurement& measurement) {
+  using Key = std::tuple<std::size_t, double, double, double>;
+  std::set<std::pair<Key, double>> rows;
+  std::set<Key> directions;
+  std::size_t again = 0;
+  const std::size_t repeated = std::erase_if(measurement.samples, [&](const MeasuredSample& sample) {
+    const Key key{sample.channel, sample.pair.theta_i, sample.pair.model_theta_s(), std::remainder(sample.pair.model_phi(), 360)};
+    if (!rows.insert({key, sample.brdf}).second) return true;
+    again += !directions.insert(key).second;
+    return false;
+  });
+  if (repeated > 0) measurement.warnings.push_back(fmt::format("{} rows repeat an earlier one: set aside", repeated));
+  if (again > 0)
+    measurement.warnings.push_back(
+        fmt::format("{} samples have the directions of an earlier one and another value: kept", again));
+}
+
+// A tenth of the values lie below this one: the diffuse level, whatever peaks there are.
+double low_level(std::vector<double> values) {
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 10);
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+void warn_of_other_units(Measurement& measurement) {
+  std::map<std::pair<std::size_t, double>, std::vector<double>> by_incidence;
+  for (const auto& sample : measurement.samples)
+    if (sample.pair.model_theta_s() <= 60) by_incidence[{sample.channel, sample.pair.theta_i}].push_back(sample.brdf);
+  double lowest = std::numeric_limits<double>::infinity();
+  for (auto& [key, values] : by_incidence)
+    if (values.size() >= 5) lowest = std::min(lowest, low_level(values));
+  if (!std::isfinite(lowest)) return;
+  const double reflectance = std::numbers::pi * lowest;
+  if (reflectance <= suspicious_reflectance) return;
+  const bool is_percent = reflectance > suspicious_reflectance * std::numbers::pi;
+  measurement.warnings.push_back(fmt::format(
+      "f is at least {:.3g} 1/sr at nearly all directions, a reflectance of {:.3g}: this looks like {}; {} mends that", lowest,
+      reflectance, is_percent ? "percent" : "pi f", is_percent ? "--scale 0.01" : "--scale 0.3183099"));
+}
+
+void warn_of_reversed_azimuth(Measurement& measurement) {
+  double highest = 0;
+  for (const auto& sample : measurement.samples) highest = std::max(highest, sample.pair.theta_i);
+  if (highest < high_incidence) return;
+  double forward = 0;
+  double backward = 0;
+  for (const auto& sample : measurement.samples)
+    if (sample.pair.theta_i == highest && sample.pair.model_theta_s() > 0) {
+      double& peak = is_backward(sample.pair) ? backward : forward;
+      peak = std::max(peak, sample.brdf);
+    }
+  if (forward > 0 && backward > suspicious_asymmetry * forward)
+    measurement.warnings.push_back(
+        fmt::format("at theta_i = {} degrees the peak is on the backward side, {:.3g} against {:.3g} 1/sr: unless the material "
+                    "retro-reflects, the azimuth is counted from the other side; --flip-azimuth turns it",
+                    shortest(highest), backward, forward));
+}
+
+std::string format_of(const std::filesystem::path& file) {
+  std::string extension = file.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return std::tolower(c); });
+  if (extension == ".csv" || file == "-") return "csv";
+  throw BadInput("{}: its extension is not that of a measurement; --format says what it is: csv", file.string());
+}
+
+}  // namespace
+
+bool Measurement::has_sigma() const {
+  return !samples.empty() && std::none_of(samples.begin(), samples.end(), [](const auto& s) { return std::isnan(s.sigma); });
+}
+
+std::optional<double> Measurement::wavelength_nm(std::size_t channel) const {
+  std::string_view name = channels[channel];
+  if (name.ends_with("nm")) name.remove_suffix(2);
+  const auto value = parse_number(name);
+  return value && std::isfinite(*value) && *value > 0 ? value : std::nullopt;
+}
+
+Measurement Measurement::channel(std::size_t index) const {
+  Measurement result{.source = source, .channels = {channels[index]}, .samples = {}, .warnings = {}};
+  for (MeasuredSample sample : samples)
+    if (sample.channel == index) {
+      sample.channel = 0;
+      result.samples.push_back(sample);
+    }
+  return result;
+}
+
+void clean(Measurement& measurement) {
+  if (measurement.samples.empty()) throw BadInput("{}: has no samples", measurement.source);
+  set_aside_what_is_not_positive(measurement);
+  if (measurement.samples.empty()) throw BadInput("{}: no sample has f above 0", measurement.source);
+  set_aside_repeated_rows(measurement);
+  warn_of_other_units(measurement);
+  warn_of_reversed_azimuth(measurement);
+}
+
+Measurement read_measurement(const std::filesystem::path& file, const MeasurementOptions& options) {
+  const std::string format = options.format.empty() ? format_of(file) : options.format;
+  Measurement measurement;
+  if (file == "-") {
+    measurement = read_csv_measurement(std::cin, "standard input");
+  } else {
+    std::error_code error;
+    if (std::filesystem::is_directory(file, error)) throw FileError("{}: is a folder", file.string());
+    std::ifstream in(file, std::ios::binary);
+    if (!in) throw FileError("{}: cannot be opened: {}", file.string(), std::generic_category().message(errno));
+    measurement = read_csv_measurement(in, file.string());
+    if (in.bad()) throw FileError("{}: cannot be read", file.string());
+  }
+  for (auto& sample : measurement.samples) {
+    sample.brdf *= options.scale;
+    sample.sigma *= options.scale;
+    if (options.flip_azimuth) sample.pair.phi += 180;
+  }
+  clean(measurement);
+  return measurement;
+}
+
+}  // namespace brdftab

@@ -1,0 +1,61 @@
+// A measured BRDF: what a file holds, cleaned and counted, before any model is fitted to it.
+#pragma once
+
+#include <filesystem>
+#include <istream>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "host/direction_list.hpp"
+
+namespace brdftab {
+
+/// f_r in 1/sr at a pair of directions, not weighted by a cosine.
+struct MeasuredSample {
+  DirectionPair pair;
+  double brdf;
+  /// Standard uncertainty of f in 1/sr; nan where the file gives none.
+  double sigma = std::numeric_limits<double>::quiet_NaN();
+  /// Index into Measurement::channels.
+  std::size_t channel = 0;
+};
+
+struct Measurement {
+  std::string source;
+  /// Wavelengths in nm or names, in the order of the file; one empty name where it has no channels.
+  std::vector<std::string> channels;
+  std::vector<MeasuredSample> samples;
+  /// What was set aside or looks suspicious, one line each, with counts.
+  std::vector<std::string> warnings;
+
+  bool has_sigma() const;
+  /// Of a channel; none where its name is not a number.
+  std::optional<double> wavelength_nm(std::size_t channel) const;
+  /// The samples of one channel, as a measurement of its own.
+  Measurement channel(std::size_t index) const;
+};
+
+/// What the user says about a file's conventions.
+struct MeasurementOptions {
+  /// csv, alta, astm, zemax or merl; empty: by the file's name.
+  std::string format;
+  /// Factor to f in 1/sr: 0.31831 for values of pi f, 0.01 for percent.
+  double scale = 1;
+  /// Adds 180 degrees to phi: for files whose azimuth 0 is the backward side.
+  bool flip_azimuth = false;
+};
+
+/// Reads a file ("-": standard input, CSV). Values that are nan, zero or negative, and repeated rows, are set aside and
+/// counted. Throws FileError where it cannot be read, and BadInput `FILE:LINE: ...` where its content is no measurement.
+Measurement read_measurement(const std::filesystem::path& file, const MeasurementOptions& options = {});
+
+/// CSV with the columns of `read_directions`, brdf_per_sr or brdf (1/sr), and optionally channel or wavelength_nm, and sigma (1/sr).
+Measurement read_csv_measurement(std::istream& in, const std::string& source);
+
+/// Sets aside what is no positive number, and repeated rows; then adds warnings where values or azimuths look
+/// unlike f_r in 1/sr with phi = 0 forward. Throws BadInput where nothing is left.
+void clean(Measurement& measurement);
+
+}  // namespace brdftab

@@ -1,0 +1,45 @@
+// Entry points for fits: many materials at the same directions. Each work-item of `log_brdf_gradients` evaluates
+// BRDFTAB_WIDTH directions.
+#include "model_gradient.h"
+#include "normalization_gradient.h"
+
+// theta in degrees; n: [material][LOBE_COUNT][N_COMPONENTS][angles]. Global size: angles x LOBE_COUNT x materials.
+__kernel void normalization_gradients(__global const scalar *restrict theta, int angles,
+                                      __global const GradientConstants *restrict materials, __global scalar *restrict n,
+                                      ModelVariant variant)
+{
+  const size_t angle = get_global_id(0);
+  const int lobe = (int)get_global_id(1);
+  const size_t material = get_global_id(2);
+  const NormalizationGradient gradient =
+      normalization_gradient(sincos_degrees(WIDE(theta[angle])), lobe, materials[material], variant);
+  for (int k = 0; k < N_COMPONENTS; ++k)
+    n[((material * LOBE_COUNT + lobe) * N_COMPONENTS + k) * angles + angle] = gradient.component[k];
+}
+
+// ln f and d ln f/d parameter of each pair: out[material][1 + PARAMETER_COUNT][pairs]. Angles in degrees; incidence: the
+// index of theta_i among the angles of n. Global size: pairs / BRDFTAB_WIDTH x materials.
+__kernel void log_brdf_gradients(__global const scalar *restrict theta_i, __global const scalar *restrict theta_s,
+                                 __global const scalar *restrict phi, __global const int *restrict incidence,
+                                 __global const scalar *restrict n, int angles, scalar share_s,
+                                 __global const GradientConstants *restrict materials, __global scalar *restrict out,
+                                 ModelVariant variant)
+{
+  const size_t k = get_global_id(0);
+  const size_t vectors = get_global_size(0);
+  const size_t material = get_global_id(1);
+  const GradientConstants g = materials[material];
+  real n_i[LOBE_COUNT * N_COMPONENTS];
+  for (int c = 0; c < LOBE_COUNT * N_COMPONENTS; ++c) {
+    scalar lane[BRDFTAB_WIDTH];
+    for (int l = 0; l < BRDFTAB_WIDTH; ++l)
+      lane[l] = n[(material * LOBE_COUNT * N_COMPONENTS + c) * angles + incidence[k * BRDFTAB_WIDTH + l]];
+    n_i[c] = LOAD(0, lane);
+  }
+  const LogBrdfGradient f = log_brdf_gradient(polar_gradient(LOAD(k, theta_i), g, variant), polar_gradient(LOAD(k, theta_s), g, variant),
+                                              azimuth_factors(LOAD(k, phi)), n_i, share_s, g, variant);
+  const size_t first = material * (1 + PARAMETER_COUNT) * vectors + k;
+  STORE(f.ln_f, first, out);
+  for (int c = 0; c < PARAMETER_COUNT; ++c)
+    STORE(f.by[c], first + (1 + c) * vectors, out);
+}

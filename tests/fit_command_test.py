@@ -1,0 +1,93 @@
+"""fit from outside: a synthetic measurement to a material file, and what bad data get."""
+
+import csv
+import io
+import re
+import unittest
+
+from program import BAD_INPUT, DONE, FILE, MATERIALS, InFolder, run
+
+HEADER = "theta_i_deg,theta_s_deg,phi_s_deg,brdf_per_sr,channel\n"
+PAIRS = "theta_i_deg,theta_s_deg,phi_deg\n" + "".join(
+    f"{i},{s},0\n" for i in range(0, 81, 20) for s in range(-80, 81, 8))
+
+
+class Fit(InFolder):
+    def synthetic(self, *arguments):
+        data = self.folder / "data.csv"
+        result = run("evaluate", MATERIALS / "garnet-red-paint.toml", "-o", data, *arguments, stdin=PAIRS)
+        self.assertEqual(result.returncode, DONE, result.stderr)
+        return data
+
+    def test_a_synthetic_measurement_gives_its_material_back(self):
+        data = self.synthetic("--noise", "0.03", "--seed", "3")
+        self.assertTrue(data.read_text().startswith("# ln f with noise of standard deviation 0.03, seed 3\n"))
+        material = self.folder / "fit.toml"
+        result = run("fit", data, "-o", material, "--floor", "0", "--starts", "24", "--name", "a paint", "--source", "made up")
+        self.assertEqual(result.returncode, DONE, result.stderr)
+        rms = float(re.search(r"each incidence alike: (\S+)", result.stdout).group(1))
+        self.assertLess(rms, 0.035)
+        for words in ("95 % interval (profile)", "std. error", "condition number", "strongest correlations", "poorly known",
+                      "24 starts", "theta_i = 80"):
+            self.assertIn(words, result.stdout)
+        self.assertRegex(result.stderr, r"% of it in kernels")
+        text = material.read_text()
+        for words in ('name = "a paint"', "rms of ln(model/data)", "bounds 0.0001 to 100", "made up; data.csv", "brdftab fit ",
+                      "theta_i 0 to 80 degrees"):
+            self.assertIn(words, text)
+        fitted = run("evaluate", material, stdin=PAIRS)
+        self.assertEqual(fitted.returncode, DONE, fitted.stderr)
+        truth = run("evaluate", MATERIALS / "garnet-red-paint.toml", stdin=PAIRS)
+        for ours, theirs in zip(csv.DictReader(io.StringIO(fitted.stdout)), csv.DictReader(io.StringIO(truth.stdout))):
+            self.assertAlmostEqual(float(ours["brdf"]) / float(theirs["brdf"]), 1, delta=0.12, msg=str(ours))
+
+    def test_polarised_light_is_fitted_as_such(self):
+        data = self.synthetic()
+        text = data.read_text().replace("brdf_s", "brdf_per_sr", 1)
+        data.write_text(text)
+        for polarization, limit in (("s", 1), ("p", None)):
+            result = run("fit", data, "-o", self.folder / "x.toml", "--force", "--floor", "0", "--starts", "16", "--intervals",
+                         "linear", "--polarization", polarization)
+            rms = float(re.search(r"each incidence alike: (\S+)", result.stdout).group(1))
+            if limit:
+                self.assertLess(rms, 1e-3)
+            else:
+                self.assertGreater(rms, 1e-3)
+
+    def test_bad_data_and_options_are_one_line(self):
+        good = HEADER + "".join(f"{i},{s},0,0.1,a\n" for i in (10, 50) for s in range(-60, 61, 5))
+        output = self.folder / "out.toml"
+        cases = [("", [], "is empty"),
+                 (HEADER, [], "has no samples"),
+                 (good + "10,70,0,O.1,a\n", [], "brdf_per_sr = O.1"),
+                 (good + "90,70,0,0.1,a\n", [], "theta_i_deg = 90"),
+                 (good + "10,70,0,0.1,b\n", [], "--channel takes one of a, b"),
+                 (good, ["--channel", "z"], "--channel z"),
+                 (good, ["--wavelengths", "all"], "is no wavelength"),
+                 (good, ["--fix", "k_ef=0"], "--fix k_ef=0"),
+                 (good, ["--bounds", "w=3:1"], "LOW must be below HIGH"),
+                 (good, ["--weights", "sigma"], "takes a column sigma"),
+                 (good, ["--model", "normalization=reciprocal"], "no derivatives"),
+                 (good, ["--model", "shading=none"], "--model shading=none"),
+                 (good, ["--floor", "1"], "no sample"),
+                 ("\n".join(good.split("\n")[:10]) + "\n", [], "samples are left for 14 free parameters")]
+        for text, options, part in cases:
+            with self.subTest(part):
+                self.assert_refused(run("fit", "-", "-o", output, *options, stdin=text), BAD_INPUT, part)
+                self.assertFalse(output.exists())
+        self.assert_refused(run("fit", self.folder / "none.csv", "-o", output), FILE, "cannot be opened")
+        output.write_text("mine")
+        self.assert_refused(run("fit", "-", "-o", output, stdin=good), FILE, "--force")
+        self.assertEqual(output.read_text(), "mine")
+
+    def test_what_is_set_aside_is_counted(self):
+        text = HEADER + "".join(f"{i},{s},0,{0.1 + 0.001 * s},a\n" for i in (10,) for s in range(-60, 61, 4))
+        text += "10,70,0,nan,a\n10,71,0,0,a\n10,72,0,-1,a\n" + text[len(HEADER):].split("\n")[0] + "\n"
+        result = run("fit", "-", "-o", self.folder / "x.toml", "--starts", "4", "--intervals", "linear", stdin=text)
+        self.assertEqual(result.returncode, DONE, result.stderr)
+        for part in ("1 of 35 samples are nan", "are zero", "are negative", "rows repeat", "one incidence only"):
+            self.assertIn(part, result.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,125 @@
+// Derivatives of ln f by the parameters: against differences of the scalar reference, and on the device against the same
+// source as C++.
+#include "host/gradients.hpp"
+
+#include <gtest/gtest.h>
+
+#include "host/kernels_on_host.hpp"
+#include "host/reference/model.hpp"
+#include "tests/random_materials.hpp"
+
+namespace brdftab {
+namespace {
+
+using kernels_on_host::Double;
+
+// Ridders' extrapolated differences of the reference, which is good to 1e-13, keep about 1e-9; the test is sharp to
+// the term. Relative to |derivative| + 1/scale of the parameter.
+constexpr double tolerance_slope = 2e-7;
+constexpr double tolerance_ln_f = 1e-9;
+constexpr double tolerance_device = 1e-9;
+
+double reference_ln_f(const Parameters& p, const ModelSwitches& switches, const DirectionPair& at, double share_s) {
+  const auto f = reference::Model(p, switches).brdf(at.theta_i, at.model_theta_s(), at.model_phi());
+  return std::log(share_s * f.s.total() + (1 - share_s) * f.p.total());
+}
+
+// d/dx by central differences at h, h/2 and h/4, extrapolated twice.
+template <class Function>
+double slope(const Function& f, double x, double h) {
+  const auto central = [&](double step) { return (f(x + step) - f(x - step)) / (2 * step); };
+  const double a = central(h);
+  const double b = central(h / 2);
+  const double c = central(h / 4);
+  const double ab = (4 * b - a) / 3;
+  const double bc = (4 * c - b) / 3;
+  return (16 * bc - ab) / 15;
+}
+
+TEST(Gradients, EqualDifferencesOfTheReference) {
+  RandomMaterials random(31);
+  int compared = 0;
+  for (int k = 0; k < 60; ++k) {
+    Parameters p = random.plausible();
+    const double share_s = k % 3 == 0 ? 1 : k % 3 == 1 ? 0 : 0.5;
+    const DirectionPair at{random.uniform(0, 80), random.uniform(0, 80), random.uniform(-180, 180), 0};
+    ModelSwitches switches;
+    if (k % 4 == 3) {
+      switches = random.switches();
+      switches.autocovariance = Autocovariance::lorentzian;
+      switches.normalization = Normalization::hemispherical;
+    }
+    SCOPED_TRACE(fmt::format("{}{} share_s={} theta_i={} theta_s={} phi={}", text_of(p), text_of(switches), share_s, at.theta_i,
+                             at.theta_s, at.phi));
+    const auto gradient = Double::log_brdf_gradient(p, switches, at, share_s);
+    EXPECT_NEAR(gradient[0], reference_ln_f(p, switches, at, share_s), tolerance_ln_f);
+    for (std::size_t c = 0; c < parameter_table.size(); ++c) {
+      const auto& row = parameter_table[c];
+      const double value = p.*row.member;
+      // Kinks of |r| at a critical or Brewster angle lie within the differences' reach only if that is wide.
+      const double h = 4e-3 * std::max(value, 0.05);
+      if (value - h < row.minimum) continue;
+      const auto f = [&](double x) {
+        Parameters moved = p;
+        moved.*row.member = x;
+        return reference_ln_f(moved, switches, at, share_s);
+      };
+      const double expected = slope(f, value, h);
+      EXPECT_NEAR(gradient[c + 1], expected, tolerance_slope * (std::abs(expected) + 1 / std::max(value, 0.05)))
+          << row.name << " = " << value;
+      ++compared;
+    }
+    if (HasFailure()) return;
+  }
+  EXPECT_GT(compared, 600);
+}
+
+TEST(Gradients, OfNormalizationEqualDifferencesOfTheReference) {
+  RandomMaterials random(32);
+  for (int k = 0; k < 40; ++k) {
+    const Parameters p = random.plausible();
+    const double theta_i = k % 8 == 0 ? 0 : random.uniform(0, 89);
+    SCOPED_TRACE(fmt::format("{}theta_i={}", text_of(p), theta_i));
+    const auto gradient = Double::log_normalization_gradient(p, Lobe::surface, theta_i);
+    const auto ln_n = [&](double Parameters::*member, double x) {
+      Parameters moved = p;
+      moved.*member = x;
+      return std::log(reference::Model(moved).normalization(Lobe::surface, theta_i).value);
+    };
+    EXPECT_NEAR(gradient[0], ln_n(&Parameters::n, p.n), 1e-10);
+    EXPECT_NEAR(
+        gradient[1],
+        p.rho_surface * slope([&](double x) { return ln_n(&Parameters::rho_surface, x); }, p.rho_surface, 4e-3 * p.rho_surface),
+        1e-7);
+    EXPECT_NEAR(gradient[2], p.w * slope([&](double x) { return ln_n(&Parameters::w, x); }, p.w, 4e-3 * p.w), 1e-7);
+    if (p.n > 0.1) {
+      EXPECT_NEAR(gradient[3], slope([&](double x) { return ln_n(&Parameters::n, x); }, p.n, 2e-3 * p.n), 1e-7);
+    }
+    if (HasFailure()) return;
+  }
+}
+
+TEST(Gradients, OnTheDeviceEqualTheSameSourceInCpp) {
+  const Device device = select_device(std::nullopt);
+  if (!device.has_fp64) GTEST_SKIP() << "the device has no fp64";
+  const Engine engine(device, Precision::float64, Precision::float32);
+  RandomMaterials random(33);
+  std::vector<DirectionPair> pairs;
+  for (int k = 0; k < 67; ++k) pairs.push_back({10. * (k % 9), random.uniform(-85, 85), k % 2 ? 0 : random.phi(), 0});
+  std::vector<Parameters> materials;
+  for (int k = 0; k < 5; ++k) materials.push_back(random.plausible());
+  const LogBrdfGradients gradients(engine, pairs, 0.5);
+  const LogBrdfValues values = gradients.evaluate(materials);
+  for (std::size_t m = 0; m < materials.size(); ++m)
+    for (std::size_t k = 0; k < pairs.size(); ++k) {
+      const auto expected = Double::log_brdf_gradient(materials[m], {}, pairs[k], 0.5);
+      EXPECT_NEAR(values.ln_f(m)[k], expected[0], tolerance_device);
+      for (std::size_t c = 0; c < parameter_table.size(); ++c)
+        EXPECT_NEAR(values.by(m, c)[k], expected[c + 1], tolerance_device * (1 + std::abs(expected[c + 1])))
+            << parameter_table[c].name << " of " << text_of(materials[m]) << " at pair " << k;
+      if (HasFailure()) return;
+    }
+}
+
+}  // namespace
+}  // namespace brdftab
