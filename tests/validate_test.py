@@ -49,6 +49,22 @@ class Good(InFolder):
                 self.assertEqual(found["nodes"]["compared_with_kernels"], nodes)
                 self.assertGreater(found["nodes"]["compared_with_reference"], 0)
 
+    def test_compressed_rounded_and_virtual_tables(self):
+        grid = ["--theta-i", "0:80:10", "--phi-i", "0:330:30", "--theta-s", "0:80:10", "--phi-s", "0:360:15"]
+        cases = [["--compress", "deflate:6"], ["--layout", "virtual"], ["--keep-bits", "12"],
+                 ["--layout", "virtual", "--compress", "deflate", "--keep-bits", "10", "--polarization", "all"],
+                 ["--precision", "float64", "--compress", "deflate", "--keep-bits", "30"]]
+        for k, options in enumerate(cases):
+            with self.subTest(options):
+                table = self.folder / f"{k}.h5"
+                made = run("generate", VINYL, "-o", table, *grid, *options)
+                self.assertEqual(made.returncode, DONE, made.stderr)
+                found = self.validated(table)
+                promised = 1e-12 if "float64" in options else 1e-6
+                rounding = 2.0 ** -(int(options[options.index("--keep-bits") + 1]) + 1) if "--keep-bits" in options else 0
+                self.assertAlmostEqual(found["tolerance"], promised + rounding, delta=1e-6 * (promised + rounding) + promised * rounding)
+                self.assertGreater(found["nodes"]["max_relative_error"], 0.5 * rounding)
+
     def test_shipped_materials(self):
         for material in sorted(MATERIALS.glob("*.toml")):
             with self.subTest(material.stem):
