@@ -11,8 +11,8 @@
 namespace brdftab {
 namespace {
 
-// Work-items in a work-group over lists of directions.
-constexpr std::size_t directions_group = 16;
+// Work-items in a work-group over lists of directions: of many directions each on a CPU, of one on a GPU.
+std::size_t directions_group(const Device& device) { return device.is_gpu ? 64 : 16; }
 
 template <class Struct>
 std::vector<std::byte> bytes(const Struct& value) {
@@ -95,10 +95,14 @@ void Engine::set_number(cl::Kernel& kernel, cl_uint index, Precision precision, 
     kernel.setArg(index, static_cast<float>(value));
 }
 
-cl::Buffer Engine::upload_polar_angles(std::span<const double> theta) const {
+void Engine::check_polar_angles(std::span<const double> theta) const {
   for (const double angle : theta)
     if (working_ == Precision::float32 && static_cast<float>(angle) >= 90)
       throw BadInput("theta = {} degrees is 90 in float32 arithmetic: it must stay below 89.999996", shortest(angle));
+}
+
+cl::Buffer Engine::upload_polar_angles(std::span<const double> theta) const {
+  check_polar_angles(theta);
   return upload(theta);
 }
 
@@ -123,7 +127,8 @@ std::vector<int> Engine::download_ints(const cl::Buffer& buffer, std::size_t cou
 
 void Engine::run(const cl::Kernel& kernel, std::array<std::size_t, 3> size) const {
   const auto [x, y, z] = size;
-  const std::size_t longest = std::min<std::size_t>(device_.largest_work_group, device_.is_gpu ? 256 : 4096);
+  const auto allowed = kernel.getWorkGroupInfo<CL_KERNEL_WORK_GROUP_SIZE>(device_.handle);
+  const std::size_t longest = std::min<std::size_t>({device_.largest_work_group, allowed, device_.is_gpu ? 256u : 4096u});
   const std::size_t groups = (x + longest - 1) / longest;
   const std::size_t group = (x + groups - 1) / groups;
   const std::size_t even = x / group * group;
@@ -132,12 +137,12 @@ void Engine::run(const cl::Kernel& kernel, std::array<std::size_t, 3> size) cons
 }
 
 std::size_t Engine::padded_directions(std::size_t count) const {
-  const std::size_t together = directions_group * directions_width_;
+  const std::size_t together = directions_group(device_) * directions_width_;
   return (count + together - 1) / together * together;
 }
 
 void Engine::run_directions(const cl::Kernel& kernel, std::size_t padded) const {
-  queue_.enqueueNDRangeKernel(kernel, cl::NullRange, {padded / directions_width_}, {directions_group});
+  queue_.enqueueNDRangeKernel(kernel, cl::NullRange, {padded / directions_width_}, {directions_group(device_)});
 }
 
 void Engine::run_items(const cl::Kernel& kernel, std::array<std::size_t, 3> size, std::size_t first_x) const {

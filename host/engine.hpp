@@ -61,7 +61,9 @@ class Engine {
   cl::Buffer upload(std::span<const std::byte> bytes) const;
   /// Sets a kernel's argument, a number in one precision.
   static void set_number(cl::Kernel& kernel, cl_uint index, Precision precision, double value);
-  /// Polar angles in degrees. Throws BadInput where the working precision would round one to 90.
+  /// Throws BadInput where the working precision would round a polar angle, in degrees, to 90.
+  void check_polar_angles(std::span<const double> theta) const;
+  /// Polar angles that pass that check.
   cl::Buffer upload_polar_angles(std::span<const double> theta) const;
   /// Reads numbers in the working precision; waits for the queue.
   std::vector<double> download(const cl::Buffer& buffer, std::size_t count) const;

@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::size_t most_pieces = 4;
 
-// Linux lets a fifth of the memory that is free be dirty before writers wait.
+// Linux makes writers wait once a fifth of the memory that is free is dirty; a little more does no harm.
 std::uint64_t comfortable_bytes() {
   return static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)) / 4;
 }

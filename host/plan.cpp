@@ -12,9 +12,10 @@
 namespace brdftab {
 namespace {
 
-// Numbers of working memory for a slab's strips, and for the shadowing of all theta_s and phi_i.
+// Numbers of working memory for a slab's strips, for the shadowing of all theta_s and phi_i, and for azimuths.
 constexpr std::size_t strips_room = 16 << 20;
 constexpr std::size_t shadowing_room = 32 << 20;
+constexpr std::size_t azimuths_room = 2 << 20;
 
 // f is even and periodic in phi; both operations are exact.
 double folded(double phi) { return std::abs(std::remainder(phi, 360.0)); }
@@ -41,12 +42,15 @@ std::optional<EvenDifferences> even_differences(const Grid& grid, Precision tabl
   const auto phi_i = grid.phi_i.nodes();
   const auto phi_s = grid.phi_s.nodes();
   if (phi_i.size() < 2 || phi_s.size() < 2) return std::nullopt;
+  // Worth it where one row that holds all is shorter than they are.
+  const double step = (phi_s.back() - phi_s.front()) / static_cast<double>(phi_s.size() - 1);
+  const double longest = (phi_i.back() - phi_i.front()) / step + static_cast<double>(phi_s.size());
+  if (!(longest <= 0.75 * static_cast<double>(phi_i.size() * phi_s.size()))) return std::nullopt;
   const double tolerance = table == Precision::float64 ? 0 : 5e-13;
   EvenDifferences even{
       phi_s.front() - phi_i.back(), (phi_s.back() - phi_s.front()) / static_cast<double>(phi_s.size() - 1), phi_s.size(), {}};
   for (const double phi : phi_i) {
     const double shift = std::nearbyint((phi_i.back() - phi) / even.step);
-    if (!(shift <= std::numeric_limits<int>::max() / 2)) return std::nullopt;
     even.shift.push_back(static_cast<int>(shift));
     for (std::size_t k = 0; k < phi_s.size(); ++k)
       if (std::abs((phi_s[k] - phi) - (even.first + (shift + static_cast<double>(k)) * even.step)) > tolerance)
@@ -68,6 +72,7 @@ Plan::Plan(const Engine& engine, const Material& material, const Band& band, con
       grid_(grid),
       kernel_material_(band.parameters, material.switches(), engine.working()),
       gaussian_(material.switches().autocovariance == Autocovariance::gaussian) {
+  engine.check_polar_angles(grid.theta_s.nodes());
   even_ = even_differences(grid, engine.table());
   std::vector<double> n_i;
   for (const auto& lobe : integrals.normalization.value) n_i.insert(n_i.end(), lobe.begin(), lobe.end());
@@ -114,7 +119,8 @@ void Plan::prepare_azimuths(const Slab& slab) {
     for (std::size_t k = 0; k < even_->nodes(); ++k) azimuths.push_back(even_->at(k));
     rows = even_->shift;
   } else {
-    if (2 * slab.theta_s.size() * group.size() * phi_s.size() > shadowing_room) group = slab.phi_i;
+    const std::size_t all = group.size() * phi_s.size();
+    if (all > azimuths_room || 2 * slab.theta_s.size() * all > shadowing_room) group = slab.phi_i;
     for (std::size_t i = group.begin; i < group.end; ++i) {
       rows.push_back(as_int(azimuths.size()));
       for (const double phi : phi_s) azimuths.push_back(folded(phi - grid_.phi_i[i]));
@@ -147,9 +153,9 @@ void Plan::prepare_shadowing(const Slab& slab) {
 }
 
 bool Plan::shares_strips(const Slab& slab) const {
-  // Worth it where the strip is shorter than the rows; slabs that cut theta_s would take turns with it.
-  return even_ && even_->nodes() * 4 <= grid_.phi_i.size() * grid_.phi_s.size() * 3 &&
-         slab.theta_s.size() == grid_.theta_s.size() && even_->nodes() * slab.theta_i.size() * slab.theta_s.size() <= strips_room;
+  // Slabs that cut theta_s would take turns with a strip.
+  return even_ && slab.theta_s.size() == grid_.theta_s.size() &&
+         even_->nodes() * slab.theta_i.size() * slab.theta_s.size() <= strips_room;
 }
 
 void Plan::tabulate_pairs(const Slab& slab, Polarization polarization) {

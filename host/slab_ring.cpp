@@ -73,6 +73,11 @@ void SlabRing::fail() {
   changed_.notify_all();
 }
 
+void SlabRing::rethrow() {
+  const std::lock_guard lock(mutex_);
+  rethrow_failure();
+}
+
 void SlabRing::drain() {
   std::unique_lock lock(mutex_);
   changed_.wait(lock, [this] { return next_job_ == next_slab_ || failure_; });

@@ -52,6 +52,9 @@ class SlabRing {
   /// Ends all work with the current exception, which `take` and `drain` rethrow.
   void fail();
 
+  /// Rethrows any thread's exception.
+  void rethrow();
+
   /// Waits until all that was submitted is written. Rethrows any thread's exception.
   void drain();
 

@@ -122,12 +122,17 @@ std::vector<Workload> device_workloads(const Engine& engine, const Material& mat
 
 std::vector<Workload> reference_workloads(const Material& material) {
   const Band& band = material.bands().front();
-  const auto model = std::make_shared<reference::Model>(band.parameters, material.switches());
+  // A model for each thread: they would wait for each other's look-ups of N.
+  const auto models = std::make_shared<std::vector<reference::Model>>();
   const auto pairs = std::make_shared<std::vector<DirectionPair>>(random_directions(reference_directions));
-  // N is left out: the model keeps it from here on.
-  for (const auto& pair : *pairs) model->brdf(pair.theta_i, pair.theta_s, pair.phi);
-  const auto evaluate_part = [model, pairs](std::size_t k, std::size_t count) {
-    for (std::size_t j = k; j < pairs->size(); j += count) model->brdf((*pairs)[j].theta_i, (*pairs)[j].theta_s, (*pairs)[j].phi);
+  for (std::size_t k = 0; k < std::max(std::thread::hardware_concurrency(), 1u); ++k) {
+    models->emplace_back(band.parameters, material.switches());
+    // N is left out: a model keeps it from here on.
+    for (const auto& pair : *pairs) models->back().brdf(pair.theta_i, pair.theta_s, pair.phi);
+  }
+  const auto evaluate_part = [models, pairs](std::size_t k, std::size_t count) {
+    for (std::size_t j = k; j < pairs->size(); j += count)
+      (*models)[k].brdf((*pairs)[j].theta_i, (*pairs)[j].theta_s, (*pairs)[j].phi);
   };
   return {
       {"reference", "the scalar reference's f_s and f_p at random directions on one thread, N known", "direction",

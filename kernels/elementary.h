@@ -34,22 +34,24 @@ FN_INLINED ReducedExponential reduced_exponential(real x)
   return result;
 }
 
-// e^x for any x; beyond the range of normal numbers it is 0 or infinite. Within 1 ulp.
+// e^x for any x; beyond the range of normal numbers it is 0 or infinite; nan of nan. Within 1 ulp.
 FN_INLINED real exponential(real x)
 {
   const ReducedExponential e = reduced_exponential(x);
   const real value = (e.reduced + REAL(1.0)) * e.power;
-  return x > EXPONENT_RANGE ? WIDE(INFINITY) : (x < -EXPONENT_RANGE ? REAL(0.0) : value);
+  const real bounded = x > EXPONENT_RANGE ? WIDE(INFINITY) : (x < -EXPONENT_RANGE ? REAL(0.0) : value);
+  return x == x ? bounded : x;
 }
 
 // e^x - 1 without cancellation, for x below EXPONENT_RANGE. Within 2 ulp.
 FN_INLINED real exponential_less_1(real x)
 {
   const ReducedExponential e = reduced_exponential(x);
-  return fma(e.reduced, e.power, e.power - REAL(1.0));
+  const real value = fma(e.reduced, e.power, e.power - REAL(1.0));
+  return x == x ? value : x;
 }
 
-// ln x of a positive normal number; 0 counts as the smallest one. Within 1 ulp.
+// ln x of a normal number; 0 counts as the smallest one; nan below 0 and of nan. Within 1 ulp.
 // x = 2^e (1 + f) with 1 + f between sqrt(1/2) and sqrt(2), and with s = f/(2 + f),
 // ln(1 + f) = 2 s + s R = f - s (f - R), R = 2 s^2/3 + 2 s^4/5 + ..., whose terms end below 1e-17.
 FN_INLINED real logarithm(real x)
@@ -72,7 +74,9 @@ FN_INLINED real logarithm(real x)
   r = fma(r, z, REAL(0.4));
   r = fma(r, z, REAL(0.66666666666666666667));
   r *= z;
-  return fma(e, LN2_HIGH, f - fma(s, f - r, -e * LN2_LOW));
+  const real value = fma(e, LN2_HIGH, f - fma(s, f - r, -e * LN2_LOW));
+  const real positive = x < WIDE(INFINITY) ? value : x;
+  return x >= REAL(0.0) ? positive : WIDE(NAN);
 }
 
 // ln(1 + x) without cancellation, x > -1. Within 2 ulp.

@@ -89,7 +89,7 @@ __kernel void lorentzian_pairs(__global const real *restrict polar_i,
     const real nearest = distance.axial + shadowed_rho2(lobe, factors_i, factors_s, m, variant);
     const real farthest = nearest + distance.transverse;
     // A lobe that nowhere reaches what the table can hold is none.
-    const int present = (amplitude > REAL(0.0)) & (amplitude > LOBE_NEGLIGIBLE * nearest);
+    const int present = !(amplitude <= LOBE_NEGLIGIBLE * nearest) & !(amplitude <= REAL(0.0));
     const real middle = REAL(1.0) / (sqrt(fmax(nearest, farthest * REAL(1e-30))) * sqrt(farthest));
     const real scale = fmax(middle, REAL(1e-30) / amplitude);
     const int near_limit = (scale * nearest < TABLE_MIN * REAL(16.0)) | (amplitude > nearest * (TABLE_MAX / REAL(16.0))) |

@@ -129,6 +129,19 @@ TEST(Device, RefusesAnAngleThatFloatRoundsTo90) {
   EXPECT_GT(evaluate(engine(Precision::float64, Precision::float32), {std::nullopt, p}, {}, pairs)[0].s, 0);
 }
 
+TEST(Plan, RefusesAnAngleThatFloatRoundsTo90) {
+  const Engine& e = engine(Precision::float32, Precision::float32);
+  const Material material = Material::read(std::string(BRDFTAB_MATERIALS_DIR) + "/brown-vinyl.toml");
+  Grid grid = material.grid();
+  grid.theta_i = Axis(AxisKind::theta_i, {0, 60});
+  const auto plan = [&](double theta_s) {
+    grid.theta_s = Axis(AxisKind::theta_s, {30, theta_s});
+    Plan(e, material, material.bands()[0], grid, integrals(e, material.bands()[0], material.switches(), grid.theta_i.nodes()));
+  };
+  EXPECT_THROW(plan(89.9999999), BadInput);
+  EXPECT_NO_THROW(plan(89.99));
+}
+
 struct TableCase {
   Precision precision;
   double tolerance;

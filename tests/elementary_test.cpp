@@ -1,12 +1,11 @@
 // Our own elementary and special functions against long double and Boost: the errors that their comments and the
 // kernels' documentation state, in units in the last place (ulp).
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <boost/math/special_functions/gamma.hpp>
 #include <cmath>
 #include <random>
-
-#include <fmt/format.h>
 
 #include "host/kernel_constants.hpp"
 
@@ -45,7 +44,9 @@ auto uniform(double low, double high) {
 
 // Both signs, over many decades.
 auto decades(double low, double high, double sign) {
-  return [=](std::mt19937_64& random) { return sign * std::exp(std::uniform_real_distribution(std::log(low), std::log(high))(random)); };
+  return [=](std::mt19937_64& random) {
+    return sign * std::exp(std::uniform_real_distribution(std::log(low), std::log(high))(random));
+  };
 }
 
 TEST(Elementary, Exponential) {
@@ -88,6 +89,13 @@ TEST(Elementary, SineAndCosineOfDegrees) {
   EXPECT_EQ(cosine(270), 0);
 }
 
+TEST(Elementary, NanStaysNan) {
+  for (const auto function : {exponential, exponential_less_1, logarithm, logarithm_1_plus})
+    EXPECT_TRUE(std::isnan(function(NAN)));
+  EXPECT_TRUE(std::isnan(logarithm(-1)));
+  EXPECT_EQ(logarithm(INFINITY), INFINITY);
+}
+
 MaterialConstants constants(double n, double w) {
   brdftab::Parameters p{1.3, 0.1, 1, 0.2, 0.7, 0.5, 0.25, 0.1, 0.2, 0.1, 1, 0.3, w, n};
   return brdftab::material_constants<MaterialConstants>(p);
@@ -100,7 +108,9 @@ TEST(Elementary, UpperGamma) {
   double worst = 0;
   double worst_logarithm = 0;
   for (int k = 0; k < 20000; ++k) {
-    const double n = k % 4 == 0 ? std::floor(uniform(0, 60)(random)) : k % 4 == 1 ? uniform(0, 3)(random) : uniform(0, 60)(random);
+    const double n = k % 4 == 0   ? std::floor(uniform(0, 60)(random))
+                     : k % 4 == 1 ? uniform(0, 3)(random)
+                                  : uniform(0, 60)(random);
     const double w = decades(0.05, 10, 1)(random);
     const double sine = uniform(0, 1)(random);
     const MaterialConstants m = constants(n, w);

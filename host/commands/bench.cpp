@@ -14,6 +14,7 @@
 #include "host/generate.hpp"
 #include "host/hdf5_table.hpp"
 #include "host/numbers.hpp"
+#include "host/partial_file.hpp"
 #include "host/table_content.hpp"
 
 namespace brdftab {
@@ -168,7 +169,7 @@ Json bench_generate(const Device& device, Precision precision, const Material& m
   }
   fmt::print("generate of a {:.2f} GB table: {:.3f} s; write(2) of as many bytes: {:.3f} s; ratio {:.2f}\n",
              static_cast<double>(bytes) / 1e9, median(generate_seconds), median(plain_seconds), median(slowdown));
-  fmt::print("  plan {:.3f} s, compute {:.3f} s, transfer {:.3f} s, write {:.3f} s, the last two beside compute\n", stages.plan,
+  fmt::print("  plan {:.3f} s, compute {:.3f} s, transfer {:.3f} s, write {:.3f} s, write beside compute\n", stages.plan,
              stages.compute, stages.transfer, stages.write);
   return {{"bytes", bytes},
           {"generate_seconds_median", median(generate_seconds)},
@@ -181,7 +182,9 @@ Json bench_generate(const Device& device, Precision precision, const Material& m
 ExitStatus run(const Options& options, const CommonOptions& common) {
   const Material material =
       options.material.empty() ? Material::parse(default_material, "built in") : Material::read(options.material);
-  if (!options.json.empty() && std::ifstream(options.json)) throw FileError("{}: exists", options.json);
+  // What cannot be written in the end is refused at the beginning.
+  std::optional<PartialFile> json;
+  if (!options.json.empty()) json.emplace(options.json, false);
   std::vector<Precision> precisions;
   if (options.precision != "float64") precisions.push_back(Precision::float32);
   if (options.precision != "float32") precisions.push_back(Precision::float64);
@@ -197,10 +200,11 @@ ExitStatus run(const Options& options, const CommonOptions& common) {
       if (options.file_gigabytes > 0) measured["generate"] = bench_generate(device, precision, material, options);
       result["devices"].push_back(std::move(measured));
     }
-  if (!options.json.empty()) {
-    std::ofstream file(options.json);
+  if (json) {
+    std::ofstream file(json->path());
     file << result.dump(2) << '\n';
     if (!file.flush()) throw FileError("{}: cannot be written", options.json);
+    json->commit();
   }
   return ExitStatus::done;
 }
@@ -215,13 +219,14 @@ std::function<ExitStatus()> bench_command(CLI::App& parser, const CommonOptions&
       ->check(CLI::IsMember({"float32", "float64", "both"}));
   parser.add_option("--rounds", options->rounds, "Rounds of all measurements; figures are medians (7)")
       ->check(CLI::Range(1, 1000));
-  parser.add_option("--table", options->table_gigabytes, "Size of the tables in device memory, GB (1)")
+  parser
+      .add_option("--table", options->table_gigabytes, "Size of the tables in device memory, GB (1), in whole steps of about 0.2")
       ->check(CLI::Range(0.01, 1000.0));
-  parser.add_option("--file", options->file_gigabytes, "Size of the table file, GB (1); 0: none is made")
+  parser.add_option("--file", options->file_gigabytes, "Size of the table file, GB (1), in whole steps of 0.03; 0: none is made")
       ->check(CLI::Range(0.0, 1e5));
   parser.add_option("--folder", options->folder, "Folder for the table file, which is removed (.)")
       ->check(CLI::ExistingDirectory);
-  add_device_option(parser, options->device);
+  add_device_option(parser, options->device, true);
   return [options, &common] { return run(*options, common); };
 }
 

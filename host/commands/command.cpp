@@ -7,10 +7,11 @@
 
 namespace brdftab {
 
-void add_device_option(CLI::App& parser, std::optional<std::string>& device) {
+void add_device_option(CLI::App& parser, std::optional<std::string>& device, bool several) {
   parser.add_option("--device", device,
-                    "OpenCL device: its index, platform:device, or part of its name (see brdftab devices; BRDFTAB_DEVICE "
-                    "does the same)");
+                    fmt::format("OpenCL device: its index, platform:device, or part of its name{} (see brdftab devices; "
+                                "BRDFTAB_DEVICE does the same)",
+                                several ? "; or all: every one, but none without fp64 beside those that have it" : ""));
 }
 
 void add_engine_options(CLI::App& parser, std::string& engine, std::string& precision) {

@@ -32,7 +32,8 @@ std::function<ExitStatus()> bench_command(CLI::App&, const CommonOptions&);
 std::function<ExitStatus()> devices_command(CLI::App&, const CommonOptions&);
 std::function<ExitStatus()> parameters_command(CLI::App&, const CommonOptions&);
 
-void add_device_option(CLI::App& parser, std::optional<std::string>& device);
+/// `several`: the command takes `all`.
+void add_device_option(CLI::App& parser, std::optional<std::string>& device, bool several = false);
 
 /// --engine opencl|reference and --precision float32|float64.
 void add_engine_options(CLI::App& parser, std::string& engine, std::string& precision);

@@ -237,7 +237,7 @@ std::function<ExitStatus()> generate_command(CLI::App& parser, const CommonOptio
   parser.add_option("--exr-compression", options->exr_compression, "OpenEXR: none (default) or zip, both lossless")
       ->check(CLI::IsMember({"none", "zip"}));
   parser.add_flag("--force", options->force, "Overwrite an existing table");
-  add_device_option(parser, options->device);
+  add_device_option(parser, options->device, true);
   return [options, &common] { return run(*options, common); };
 }
 
