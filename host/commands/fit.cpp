@@ -152,9 +152,10 @@ ExitStatus run(const Options& given, const CommonOptions& common) {
 std::function<ExitStatus()> fit_command(CLI::App& parser, const CommonOptions& common) {
   auto options = std::make_shared<Options>();
   parser
-      .add_option("DATA", options->data,
-                  "Measurement: CSV with theta_i_deg, theta_s_deg, phi_deg or phi_s_deg, brdf_per_sr and optionally channel or "
-                  "wavelength_nm and sigma")
+      .add_option(
+          "DATA", options->data,
+          "Measurement: CSV with theta_i_deg, theta_s_deg, phi_deg or phi_s_deg, brdf_per_sr and optionally channel or "
+          "wavelength_nm and sigma; or ALTA text (.alta, .dat), ASTM text (.astm), Zemax tabular BSDF (.bsdf), MERL (.binary)")
       ->required();
   parser.add_option("-o,--output", options->output, "Material file to write (TOML)")->required();
   parser.add_option("--channel", options->channel, "The channel to fit, where the measurement has several");
@@ -182,6 +183,8 @@ std::function<ExitStatus()> fit_command(CLI::App& parser, const CommonOptions& c
       ->check(CLI::IsMember({"profile", "linear"}));
   parser.add_option("--name", options->name, "Of the material; default: the file's");
   parser.add_option("--source", options->source, "Of the measurement, for the material file");
+  parser.add_option("--format", options->measurement.format, "Of the measurement; default: by its extension")
+      ->check(CLI::IsMember({"csv", "alta", "astm", "zemax", "merl"}));
   parser.add_option("--scale", options->measurement.scale, "Factor from the file's values to f in 1/sr")
       ->check(CLI::PositiveNumber);
   parser.add_flag("--flip-azimuth", options->measurement.flip_azimuth, "The file counts azimuth from the backward side");
