@@ -4,6 +4,7 @@ import csv
 import io
 import re
 import unittest
+import xml.etree.ElementTree
 
 from program import BAD_INPUT, DONE, FILE, MATERIALS, InFolder, run
 
@@ -23,7 +24,8 @@ class Fit(InFolder):
         data = self.synthetic("--noise", "0.03", "--seed", "3")
         self.assertTrue(data.read_text().startswith("# ln f with noise of standard deviation 0.03, seed 3\n"))
         material = self.folder / "fit.toml"
-        result = run("fit", data, "-o", material, "--floor", "0", "--starts", "24", "--name", "a paint", "--source", "made up")
+        result = run("fit", data, "-o", material, "--floor", "0", "--starts", "24", "--name", "a paint", "--source", "made up",
+                     "--report", self.folder / "report")
         self.assertEqual(result.returncode, DONE, result.stderr)
         rms = float(re.search(r"each incidence alike: (\S+)", result.stdout).group(1))
         self.assertLess(rms, 0.035)
@@ -31,6 +33,13 @@ class Fit(InFolder):
                       "24 starts", "theta_i = 80"):
             self.assertIn(words, result.stdout)
         self.assertRegex(result.stderr, r"% of it in kernels")
+        pictures = {path.name: xml.etree.ElementTree.parse(path) for path in (self.folder / "report").iterdir()}
+        self.assertEqual(sorted(pictures), ["correlations.svg", "fit.svg", "residuals.svg", "shadowing.svg"])
+        svg = "{http://www.w3.org/2000/svg}"
+        # A dot for each sample and a line for each incidence.
+        self.assertEqual(len(pictures["fit.svg"].findall(f".//{svg}circle")), 105)
+        self.assertEqual(len(pictures["fit.svg"].findall(f".//{svg}path[@fill='none']")), 5)
+        self.assertEqual(len(pictures["residuals.svg"].findall(f".//{svg}circle")), 105)
         text = material.read_text()
         for words in ('name = "a paint"', "rms of ln(model/data)", "bounds 0.0001 to 100", "made up; data.csv", "brdftab fit ",
                       "theta_i 0 to 80 degrees"):

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "host/commands/command.hpp"
+#include "host/fit_pictures.hpp"
 #include "host/fit_summary.hpp"
 #include "host/numbers.hpp"
 #include "host/partial_file.hpp"
@@ -26,6 +27,7 @@ struct Options {
   std::string intervals;
   std::string name;
   std::string source;
+  std::string report;
   std::vector<std::string> fixed;
   std::vector<std::string> bounds;
   std::vector<std::string> model;
@@ -137,6 +139,7 @@ ExitStatus run(const Options& given, const CommonOptions& common) {
   const std::string name = options.name.empty() ? std::filesystem::path(options.data).stem().string() : options.name;
   const std::string material = material_text(problem, summary, {name, source_line(options), common.command_line});
   write(*file, options.output, material);
+  if (!options.report.empty()) write_fit_pictures(engine, problem, summary, options.report, options.force);
   const std::string text = summary_text(problem, summary);
   std::fwrite(text.data(), 1, text.size(), stdout);
   const double all = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -181,6 +184,7 @@ std::function<ExitStatus()> fit_command(CLI::App& parser, const CommonOptions& c
       .add_option("--intervals", options->intervals,
                   "profile: by profile likelihood (default for one channel); linear: from standard errors (default for spectra)")
       ->check(CLI::IsMember({"profile", "linear"}));
+  parser.add_option("--report", options->report, "Folder for pictures (SVG): fit, residuals, V_m, correlations");
   parser.add_option("--name", options->name, "Of the material; default: the file's");
   parser.add_option("--source", options->source, "Of the measurement, for the material file");
   parser.add_option("--format", options->measurement.format, "Of the measurement; default: by its extension")
