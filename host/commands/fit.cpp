@@ -98,9 +98,9 @@ std::size_t incidences(const Measurement& measurement) {
 }
 
 std::string source_line(const Options& options) {
-  const std::string file = std::filesystem::path(options.data).filename().string();
-  if (!options.source.empty()) return fmt::format("{}; {}", options.source, file);
-  return options.channel.empty() ? file : fmt::format("{}, channel {}", file, options.channel);
+  std::string file = std::filesystem::path(options.data).filename().string();
+  if (!options.channel.empty()) file += fmt::format(", channel {}", options.channel);
+  return options.source.empty() ? file : fmt::format("{}; {}", options.source, file);
 }
 
 void write(PartialFile& file, const std::string& target, const std::string& text) {
