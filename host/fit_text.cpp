@@ -49,7 +49,8 @@ std::string data_range(const FitProblem& problem) {
 
 std::string search_line(const FitSummary& summary) {
   const Fit& fit = summary.fit;
-  return fmt::format("{} starts, {} converged, {} of them within 1 % of the best rms", fit.starts, fit.converged, fit.reached);
+  return fmt::format("{} starts, {} converged, {} of them within 1 % of the best rms{}", fit.starts, fit.converged, fit.reached,
+                     fit.best.converged ? "" : "; the best was still descending along a flat valley");
 }
 
 // A TOML basic string.

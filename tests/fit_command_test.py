@@ -6,7 +6,7 @@ import re
 import unittest
 import xml.etree.ElementTree
 
-from program import BAD_INPUT, DONE, FILE, MATERIALS, InFolder, run
+from program import BAD_INPUT, CHECK_FAILED, DONE, FILE, MATERIALS, InFolder, run
 
 HEADER = "theta_i_deg,theta_s_deg,phi_s_deg,brdf_per_sr,channel\n"
 PAIRS = "theta_i_deg,theta_s_deg,phi_deg\n" + "".join(
@@ -88,6 +88,13 @@ class Fit(InFolder):
         output.write_text("mine")
         self.assert_refused(run("fit", "-", "-o", output, stdin=good), FILE, "--force")
         self.assertEqual(output.read_text(), "mine")
+
+    def test_no_start_converges_where_there_is_no_light(self):
+        data = self.synthetic()
+        dark = [word for lobe in ("surface", "bulk", "retro") for word in ("--fix", f"sigma_{lobe}=0")]
+        result = run("fit", data, "-o", self.folder / "x.toml", "--starts", "3", *dark)
+        self.assert_refused(result, CHECK_FAILED, "none of 3 starts converged")
+        self.assertFalse((self.folder / "x.toml").exists())
 
     def test_what_is_set_aside_is_counted(self):
         text = HEADER + "".join(f"{i},{s},0,{0.1 + 0.001 * s},a\n" for i in (10,) for s in range(-60, 61, 4))

@@ -172,7 +172,7 @@ std::function<ExitStatus()> fit_command(CLI::App& parser, const CommonOptions& c
   parser.add_option("--bounds", options->bounds, "Bound a parameter: rho_surface=0.01:2. Repeatable")->type_name("NAME=LOW:HIGH");
   parser.add_option("--model", options->model, "Variant of the model: reflectance_shadowing=surface. Repeatable")
       ->type_name("SWITCH=CHOICE");
-  parser.add_option("--starts", options->fit.starts, "Starting points")->check(CLI::Range(1, 10000));
+  parser.add_option("--starts", options->fit.starts, "Starting points; default 48")->check(CLI::Range(1, 10000));
   parser.add_option("--seed", options->fit.seed, "Of the starting points");
   parser.add_option("--max-theta", options->fit.max_theta, "Leave out samples beyond it, degrees")->check(CLI::Range(1., 90.));
   parser.add_option("--floor", options->fit.floor, "Leave out samples below it, 1/sr")->check(CLI::NonNegativeNumber);
