@@ -66,9 +66,8 @@ Fit fit(FitProblem& problem) {
   }
   Fit result{
       .best = {}, .starts = options.starts, .converged = 0, .reached = 0, .seconds = 0, .kernel_seconds = 0, .evaluations = 0};
-  const bool found = !polished.empty() && std::isfinite(polished.front().cost) && polished.front().converged;
-  for (const Minimum& minimum : minima) result.converged += minimum.converged;
-  if (!found)
+  for (const Minimum& minimum : minima) result.converged += minimum.converged && std::isfinite(minimum.cost);
+  if (result.converged == 0 || polished.empty() || !std::isfinite(polished.front().cost))
     throw Error(ExitStatus::check_failed, "none of {} starts converged; --starts and --seed try others", options.starts);
   result.best = polished.front();
   for (const Minimum& minimum : minima) result.reached += std::sqrt(minimum.cost) <= reached_rms * std::sqrt(minima.front().cost);

@@ -18,7 +18,7 @@ struct FitOptions {
   std::vector<ParameterChoice> choices = default_choices();
   /// The part of s-polarised light in the measurement; 1/2: unpolarised.
   double share_s = 0.5;
-  std::size_t starts = 24;
+  std::size_t starts = 48;
   std::uint64_t seed = 1;
   /// Samples beyond it, in degrees, or with f below the floor, in 1/sr, are left out.
   double max_theta = 80;

@@ -11,6 +11,8 @@ namespace brdftab {
 namespace {
 
 constexpr std::size_t draws_per_start = 16;
+// Bounds the memory that their derivatives take.
+constexpr std::size_t draws_at_once = 64;
 
 // Ranges of the shapes, logarithmic; what may be 0 is drawn as its lower end in a part of the draws.
 struct ShapeRange {
@@ -105,25 +107,28 @@ void set_amplitudes(const FitProblem& problem, std::size_t band, const BandValue
   }
 }
 
+double cost(const FitProblem& problem, const std::vector<BandValues>& values) {
+  double sum = 0;
+  for (std::size_t b = 0; b < values.size(); ++b) {
+    const auto ratios = problem.log_ratios(values[b], b);
+    for (std::size_t k = 0; k < ratios.size(); ++k) sum += problem.bands()[b].weights[k] * ratios[k] * ratios[k];
+  }
+  return std::isfinite(sum) ? sum : std::numeric_limits<double>::infinity();
+}
+
 }  // namespace
 
 std::vector<std::vector<double>> fit_starts(const FitProblem& problem, std::size_t count, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   std::vector<std::vector<Parameters>> draws;
   for (std::size_t d = 0; d < draws_per_start * count; ++d) draws.emplace_back(problem.bands().size(), draw(problem, random));
-  const auto bare = problem.batch().evaluate_all(draws);
-  for (std::size_t d = 0; d < draws.size(); ++d)
-    for (std::size_t b = 0; b < draws[d].size(); ++b) set_amplitudes(problem, b, bare[d][b], draws[d][b]);
-
-  const auto scaled = problem.batch().evaluate_all(draws);
   std::vector<double> costs;
-  for (std::size_t d = 0; d < draws.size(); ++d) {
-    double cost = 0;
-    for (std::size_t b = 0; b < draws[d].size(); ++b) {
-      const auto ratios = problem.log_ratios(scaled[d][b], b);
-      for (std::size_t k = 0; k < ratios.size(); ++k) cost += problem.bands()[b].weights[k] * ratios[k] * ratios[k];
-    }
-    costs.push_back(std::isfinite(cost) ? cost : std::numeric_limits<double>::infinity());
+  for (std::size_t begin = 0; begin < draws.size(); begin += draws_at_once) {
+    const std::span part(draws.data() + begin, std::min(draws_at_once, draws.size() - begin));
+    const auto bare = problem.batch().evaluate_all(part);
+    for (std::size_t d = 0; d < part.size(); ++d)
+      for (std::size_t b = 0; b < part[d].size(); ++b) set_amplitudes(problem, b, bare[d][b], part[d][b]);
+    for (const auto& values : problem.batch().evaluate_all(part)) costs.push_back(cost(problem, values));
   }
   std::vector<std::size_t> order(draws.size());
   std::iota(order.begin(), order.end(), 0);

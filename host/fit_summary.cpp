@@ -66,7 +66,8 @@ FitSummary summarize(const Engine& engine, const FitProblem& problem, Fit fit, b
     const double error = summary.linear.standard_error(v) * variable.slope(fit.best.u[v]);
     summary.variables.push_back({name_of(problem, variable), value,
                                  std::isfinite(error) ? error : std::numeric_limits<double>::quiet_NaN(), intervals[v],
-                                 variable.at_minimum(value) || variable.at_maximum(value)});
+                                 variable.at_minimum(value) || variable.at_maximum(value), true});
+    summary.variables.back().has_interval = profile || !summary.variables.back().at_bound;
     if (summary.variables.back().poorly_known() && std::isfinite(error)) poorly_known.push_back(v);
   }
   summary.correlations = strongest_correlations(problem, summary.linear);

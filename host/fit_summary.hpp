@@ -17,8 +17,10 @@ struct FittedVariable {
   double standard_error;
   Interval95 interval;
   bool at_bound;
+  /// A standard error says nothing of a variable at its bound.
+  bool has_interval;
 
-  bool unidentifiable() const { return interval.open_below && interval.open_above; }
+  bool unidentifiable() const { return has_interval && interval.open_below && interval.open_above; }
   /// Within a factor of two at best.
   bool poorly_known() const { return interval.open_below || interval.open_above || interval.high > 2 * interval.low; }
 };

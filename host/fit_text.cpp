@@ -28,6 +28,10 @@ std::string flags(const FittedVariable& variable) {
 
 std::string range(double low, double high) { return fmt::format("{:.4g} to {:.4g}", low, high); }
 
+std::string interval_text(const FittedVariable& variable) {
+  return variable.has_interval ? range(variable.interval.low, variable.interval.high) : "-";
+}
+
 std::string data_range(const FitProblem& problem) {
   double low_i = 90, high_i = 0, low_s = 90, high_s = 0, low_f = HUGE_VAL, high_f = 0;
   for (const FitBand& band : problem.bands())
@@ -45,7 +49,8 @@ std::string data_range(const FitProblem& problem) {
 
 std::string search_line(const FitSummary& summary) {
   const Fit& fit = summary.fit;
-  return fmt::format("{} starts, {} converged, {} of them within 1 % of the best rms", fit.starts, fit.converged, fit.reached);
+  return fmt::format("{} starts, {} converged, {} of them within 1 % of the best rms{}", fit.starts, fit.converged, fit.reached,
+                     fit.best.converged ? "" : "; the best was still descending along a flat valley");
 }
 
 // A TOML basic string.
@@ -67,8 +72,8 @@ std::string parameter_line(const FitSummary& summary, const FitProblem& problem,
       continue;
     const FittedVariable& fitted = summary.variables[v];
     const std::string words = flags(fitted);
-    return fmt::format("{:<28} # 95 %: {}; bounds {}{}{}", line, range(fitted.interval.low, fitted.interval.high),
-                       range(variable.minimum, variable.maximum), words.empty() ? "" : "; ", words);
+    return fmt::format("{:<28} # 95 %: {}; bounds {}{}{}", line, interval_text(fitted), range(variable.minimum, variable.maximum),
+                       words.empty() ? "" : "; ", words);
   }
   return fmt::format("{:<28} # fixed", line);
 }
@@ -85,7 +90,7 @@ std::string summary_text(const FitProblem& problem, const FitSummary& summary) {
   for (const FittedVariable& variable : summary.variables)
     text += fmt::format("{:<20} {:>12.5g} {:>12}   {:<26} {}\n", variable.name, variable.value,
                         std::isnan(variable.standard_error) ? "-" : fmt::format("{:.2g}", variable.standard_error),
-                        range(variable.interval.low, variable.interval.high), flags(variable));
+                        interval_text(variable), flags(variable));
   for (std::size_t p = 0; p < parameter_table.size(); ++p)
     if (problem.options().choices[p].fixed)
       text += fmt::format("{:<20} {:>12.5g} {:>12}   {:<26} fixed\n", parameter_table[p].name,

@@ -1,6 +1,7 @@
 #include "host/measurement.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <iostream>
@@ -10,6 +11,7 @@
 #include <tuple>
 
 #include "host/error.hpp"
+#include "host/measurement_text.hpp"
 #include "host/numbers.hpp"
 
 namespace brdftab {
@@ -100,11 +102,27 @@ void warn_of_reversed_azimuth(Measurement& measurement) {
                     shortest(highest), backward, forward));
 }
 
+struct Reader {
+  std::string_view format;
+  std::array<std::string_view, 2> extensions;
+  Measurement (*read)(std::istream&, const std::string&);
+};
+
+constexpr std::array<Reader, 5> readers{{{"csv", {".csv", ".csv"}, read_csv_measurement},
+                                         {"alta", {".alta", ".dat"}, read_alta_measurement},
+                                         {"astm", {".astm", ".astm"}, read_astm_measurement},
+                                         {"zemax", {".bsdf", ".bsdf"}, read_zemax_measurement},
+                                         {"merl", {".binary", ".binary"}, read_merl_measurement}}};
+
 std::string format_of(const std::filesystem::path& file) {
   std::string extension = file.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return std::tolower(c); });
-  if (extension == ".csv" || file == "-") return "csv";
-  throw BadInput("{}: its extension is not that of a measurement; --format says what it is: csv", file.string());
+  if (file == "-") return "csv";
+  for (const Reader& reader : readers)
+    if (std::find(reader.extensions.begin(), reader.extensions.end(), extension) != reader.extensions.end())
+      return std::string(reader.format);
+  throw BadInput("{}: its extension is not that of a measurement; --format says which it is: csv, alta, astm, zemax or merl",
+                 file.string());
 }
 
 }  // namespace
@@ -141,15 +159,17 @@ void clean(Measurement& measurement) {
 
 Measurement read_measurement(const std::filesystem::path& file, const MeasurementOptions& options) {
   const std::string format = options.format.empty() ? format_of(file) : options.format;
+  const auto reader = std::find_if(readers.begin(), readers.end(), [&](const Reader& r) { return r.format == format; });
+  if (reader == readers.end()) throw BadInput("--format {}: must be csv, alta, astm, zemax or merl", format);
   Measurement measurement;
   if (file == "-") {
-    measurement = read_csv_measurement(std::cin, "standard input");
+    measurement = reader->read(std::cin, "standard input");
   } else {
     std::error_code error;
     if (std::filesystem::is_directory(file, error)) throw FileError("{}: is a folder", file.string());
     std::ifstream in(file, std::ios::binary);
     if (!in) throw FileError("{}: cannot be opened: {}", file.string(), std::generic_category().message(errno));
-    measurement = read_csv_measurement(in, file.string());
+    measurement = reader->read(in, file.string());
     if (in.bad()) throw FileError("{}: cannot be read", file.string());
   }
   for (auto& sample : measurement.samples) {

@@ -4,8 +4,9 @@ import csv
 import io
 import re
 import unittest
+import xml.etree.ElementTree
 
-from program import BAD_INPUT, DONE, FILE, MATERIALS, InFolder, run
+from program import BAD_INPUT, CHECK_FAILED, DONE, FILE, MATERIALS, InFolder, run
 
 HEADER = "theta_i_deg,theta_s_deg,phi_s_deg,brdf_per_sr,channel\n"
 PAIRS = "theta_i_deg,theta_s_deg,phi_deg\n" + "".join(
@@ -23,7 +24,8 @@ class Fit(InFolder):
         data = self.synthetic("--noise", "0.03", "--seed", "3")
         self.assertTrue(data.read_text().startswith("# ln f with noise of standard deviation 0.03, seed 3\n"))
         material = self.folder / "fit.toml"
-        result = run("fit", data, "-o", material, "--floor", "0", "--starts", "24", "--name", "a paint", "--source", "made up")
+        result = run("fit", data, "-o", material, "--floor", "0", "--starts", "24", "--name", "a paint", "--source", "made up",
+                     "--report", self.folder / "report")
         self.assertEqual(result.returncode, DONE, result.stderr)
         rms = float(re.search(r"each incidence alike: (\S+)", result.stdout).group(1))
         self.assertLess(rms, 0.035)
@@ -31,6 +33,13 @@ class Fit(InFolder):
                       "24 starts", "theta_i = 80"):
             self.assertIn(words, result.stdout)
         self.assertRegex(result.stderr, r"% of it in kernels")
+        pictures = {path.name: xml.etree.ElementTree.parse(path) for path in (self.folder / "report").iterdir()}
+        self.assertEqual(sorted(pictures), ["correlations.svg", "fit.svg", "residuals.svg", "shadowing.svg"])
+        svg = "{http://www.w3.org/2000/svg}"
+        # A dot for each sample and a line for each incidence.
+        self.assertEqual(len(pictures["fit.svg"].findall(f".//{svg}circle")), 105)
+        self.assertEqual(len(pictures["fit.svg"].findall(f".//{svg}path[@fill='none']")), 5)
+        self.assertEqual(len(pictures["residuals.svg"].findall(f".//{svg}circle")), 105)
         text = material.read_text()
         for words in ('name = "a paint"', "rms of ln(model/data)", "bounds 0.0001 to 100", "made up; data.csv", "brdftab fit ",
                       "theta_i 0 to 80 degrees"):
@@ -79,6 +88,13 @@ class Fit(InFolder):
         output.write_text("mine")
         self.assert_refused(run("fit", "-", "-o", output, stdin=good), FILE, "--force")
         self.assertEqual(output.read_text(), "mine")
+
+    def test_no_start_converges_where_there_is_no_light(self):
+        data = self.synthetic()
+        dark = [word for lobe in ("surface", "bulk", "retro") for word in ("--fix", f"sigma_{lobe}=0")]
+        result = run("fit", data, "-o", self.folder / "x.toml", "--starts", "3", *dark)
+        self.assert_refused(result, CHECK_FAILED, "none of 3 starts converged")
+        self.assertFalse((self.folder / "x.toml").exists())
 
     def test_what_is_set_aside_is_counted(self):
         text = HEADER + "".join(f"{i},{s},0,{0.1 + 0.001 * s},a\n" for i in (10,) for s in range(-60, 61, 4))

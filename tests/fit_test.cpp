@@ -196,7 +196,8 @@ TEST(FitVariable, MapsAndBounds) {
     EXPECT_TRUE(v.at_maximum(parameter_table[p].maximum));
   }
   auto choices = default_choices();
-  for (const char* text : {"k_eff", "k_ef=0", "k_eff=x", "k_eff=-1", "k_eff=21"}) EXPECT_THROW(fix_parameter(choices, text), BadInput);
+  for (const char* text : {"k_eff", "k_ef=0", "k_eff=x", "k_eff=-1", "k_eff=21"})
+    EXPECT_THROW(fix_parameter(choices, text), BadInput);
   for (const char* text : {"w=1", "w=2:1", "w=0:1", "w=1:x"}) EXPECT_THROW(bound_parameter(choices, text), BadInput);
 }
 

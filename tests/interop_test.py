@@ -7,6 +7,7 @@ import random
 import shutil
 import subprocess
 import tempfile
+import tomllib
 import unittest
 
 import h5py
@@ -38,7 +39,7 @@ class DenseTable(unittest.TestCase):
             self.assertEqual(brdf.dtype, "float32")
             self.assertEqual([d[0].name for d in brdf.dims], ["/theta_i", "/phi_i", "/theta_s", "/phi_s"])
             self.assertEqual(brdf.attrs["units"].decode() if isinstance(brdf.attrs["units"], bytes) else brdf.attrs["units"], "sr-1")
-            self.assertEqual(file.attrs["rho_surface"], 0.45)
+            self.assertEqual(file.attrs["rho_surface"], tomllib.loads(VINYL.read_text())["parameters"]["rho_surface"])
             for name in ("normalization_surface", "normalization_bulk", "normalization_retro", "dhr", "dhr_surface", "dhr_bulk", "dhr_retro"):
                 self.assertEqual(file[name].shape, (18,))
                 self.assertEqual(file[name].dtype, "float64")

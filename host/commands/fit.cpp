@@ -6,6 +6,7 @@
 #include <set>
 
 #include "host/commands/command.hpp"
+#include "host/fit_pictures.hpp"
 #include "host/fit_summary.hpp"
 #include "host/numbers.hpp"
 #include "host/partial_file.hpp"
@@ -26,6 +27,7 @@ struct Options {
   std::string intervals;
   std::string name;
   std::string source;
+  std::string report;
   std::vector<std::string> fixed;
   std::vector<std::string> bounds;
   std::vector<std::string> model;
@@ -96,9 +98,9 @@ std::size_t incidences(const Measurement& measurement) {
 }
 
 std::string source_line(const Options& options) {
-  const std::string file = std::filesystem::path(options.data).filename().string();
-  if (!options.source.empty()) return fmt::format("{}; {}", options.source, file);
-  return options.channel.empty() ? file : fmt::format("{}, channel {}", file, options.channel);
+  std::string file = std::filesystem::path(options.data).filename().string();
+  if (!options.channel.empty()) file += fmt::format(", channel {}", options.channel);
+  return options.source.empty() ? file : fmt::format("{}; {}", options.source, file);
 }
 
 void write(PartialFile& file, const std::string& target, const std::string& text) {
@@ -137,6 +139,7 @@ ExitStatus run(const Options& given, const CommonOptions& common) {
   const std::string name = options.name.empty() ? std::filesystem::path(options.data).stem().string() : options.name;
   const std::string material = material_text(problem, summary, {name, source_line(options), common.command_line});
   write(*file, options.output, material);
+  if (!options.report.empty()) write_fit_pictures(engine, problem, summary, options.report, options.force);
   const std::string text = summary_text(problem, summary);
   std::fwrite(text.data(), 1, text.size(), stdout);
   const double all = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -152,9 +155,10 @@ ExitStatus run(const Options& given, const CommonOptions& common) {
 std::function<ExitStatus()> fit_command(CLI::App& parser, const CommonOptions& common) {
   auto options = std::make_shared<Options>();
   parser
-      .add_option("DATA", options->data,
-                  "Measurement: CSV with theta_i_deg, theta_s_deg, phi_deg or phi_s_deg, brdf_per_sr and optionally channel or "
-                  "wavelength_nm and sigma")
+      .add_option(
+          "DATA", options->data,
+          "Measurement: CSV with theta_i_deg, theta_s_deg, phi_deg or phi_s_deg, brdf_per_sr and optionally channel or "
+          "wavelength_nm and sigma; or ALTA text (.alta, .dat), ASTM text (.astm), Zemax tabular BSDF (.bsdf), MERL (.binary)")
       ->required();
   parser.add_option("-o,--output", options->output, "Material file to write (TOML)")->required();
   parser.add_option("--channel", options->channel, "The channel to fit, where the measurement has several");
@@ -168,7 +172,7 @@ std::function<ExitStatus()> fit_command(CLI::App& parser, const CommonOptions& c
   parser.add_option("--bounds", options->bounds, "Bound a parameter: rho_surface=0.01:2. Repeatable")->type_name("NAME=LOW:HIGH");
   parser.add_option("--model", options->model, "Variant of the model: reflectance_shadowing=surface. Repeatable")
       ->type_name("SWITCH=CHOICE");
-  parser.add_option("--starts", options->fit.starts, "Starting points")->check(CLI::Range(1, 10000));
+  parser.add_option("--starts", options->fit.starts, "Starting points; default 48")->check(CLI::Range(1, 10000));
   parser.add_option("--seed", options->fit.seed, "Of the starting points");
   parser.add_option("--max-theta", options->fit.max_theta, "Leave out samples beyond it, degrees")->check(CLI::Range(1., 90.));
   parser.add_option("--floor", options->fit.floor, "Leave out samples below it, 1/sr")->check(CLI::NonNegativeNumber);
@@ -180,8 +184,11 @@ std::function<ExitStatus()> fit_command(CLI::App& parser, const CommonOptions& c
       .add_option("--intervals", options->intervals,
                   "profile: by profile likelihood (default for one channel); linear: from standard errors (default for spectra)")
       ->check(CLI::IsMember({"profile", "linear"}));
+  parser.add_option("--report", options->report, "Folder for pictures (SVG): fit, residuals, V_m, correlations");
   parser.add_option("--name", options->name, "Of the material; default: the file's");
   parser.add_option("--source", options->source, "Of the measurement, for the material file");
+  parser.add_option("--format", options->measurement.format, "Of the measurement; default: by its extension")
+      ->check(CLI::IsMember({"csv", "alta", "astm", "zemax", "merl"}));
   parser.add_option("--scale", options->measurement.scale, "Factor from the file's values to f in 1/sr")
       ->check(CLI::PositiveNumber);
   parser.add_flag("--flip-azimuth", options->measurement.flip_azimuth, "The file counts azimuth from the backward side");

@@ -1,0 +1,27 @@
+// Readers of other programs' measurements. Each gives angles in degrees with phi = 0 on the forward side, and f in 1/sr.
+#pragma once
+
+#include <istream>
+#include <string>
+
+#include "host/measurement.hpp"
+
+namespace brdftab {
+
+/// ALTA text: `#DIM`, `#PARAM_IN SPHERICAL_TL_PL_TV_PV` or `ISOTROPIC_TV_TL_DPHI`, `#PARAM_OUT INV_STERADIAN[_COSINE_FACTOR]`
+/// or `RGB_COLOR`; radians, directions away from the surface.
+Measurement read_alta_measurement(std::istream& in, const std::string& source);
+
+/// ASTM E1392 text as Cornell writes it: `VARS theta_i,phi_i,theta_s,phi_s,CHANNEL...`; radians, directions away from the
+/// surface.
+Measurement read_astm_measurement(std::istream& in, const std::string& source);
+
+/// Zemax OpticStudio tabular BSDF: degrees about the specular direction, azimuth 0 toward the normal; PlaneSymmetrical or
+/// asymmetrical with one SampleRotation; BRDF.
+Measurement read_zemax_measurement(std::istream& in, const std::string& source);
+
+/// MERL .binary: 90 x 90 x 180 cells of half-difference angles, sampled at their centres where theta_i and theta_s are whole
+/// tens and fives of degrees in plane, in three channels R, G and B.
+Measurement read_merl_measurement(std::istream& in, const std::string& source);
+
+}  // namespace brdftab

@@ -1,0 +1,141 @@
+// Measurements in other programs' formats: their conventions become theta_i, theta_s and phi = 0 forward, f in 1/sr.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <numbers>
+#include <sstream>
+
+#include "host/error.hpp"
+#include "host/measurement_text.hpp"
+
+namespace brdftab {
+namespace {
+
+constexpr double radian = std::numbers::pi / 180;
+
+template <class Read>
+Measurement read(Read reader, const std::string& text) {
+  std::istringstream in(text);
+  return reader(in, "data");
+}
+
+template <class Read>
+std::string refusal(Read reader, const std::string& text) {
+  try {
+    read(reader, text);
+  } catch (const BadInput& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+double cosine_of_phi(const MeasuredSample& sample) { return std::cos(sample.pair.model_phi() * radian); }
+
+TEST(AltaMeasurement, CountsAzimuthFromTheForwardSide) {
+  const std::string header = "#DIM 4 1\n#PARAM_IN SPHERICAL_TL_PL_TV_PV\n#PARAM_OUT INV_STERADIAN\n#VS 0\n";
+  // Vectors away from the surface: the mirror direction of (30, 10) degrees is (30, 190).
+  const auto m = read(read_alta_measurement, header + fmt::format("{:.17g} {:.17g} {:.17g} {:.17g} 0.5\n", 30 * radian,
+                                                                  10 * radian, 30 * radian, 190 * radian));
+  ASSERT_EQ(m.samples.size(), 1u);
+  EXPECT_EQ(m.samples[0].pair.theta_i, 30);
+  EXPECT_NEAR(cosine_of_phi(m.samples[0]), 1, 1e-12);
+  EXPECT_EQ(m.samples[0].brdf, 0.5);
+}
+
+TEST(AltaMeasurement, TakesTheCosineOutAndKnowsChannels) {
+  const auto m =
+      read(read_alta_measurement, "#DIM 3 3\n#PARAM_IN ISOTROPIC_TV_TL_DPHI\n#PARAM_OUT INV_STERADIAN_COSINE_FACTOR\n" +
+                                      fmt::format("{:.17g} {:.17g} 0 0.1 0.2 0.3\n", 60 * radian, 20 * radian));
+  ASSERT_EQ(m.samples.size(), 3u);
+  EXPECT_EQ(m.samples[0].pair.theta_i, 20);
+  EXPECT_EQ(m.samples[0].pair.theta_s, 60);
+  EXPECT_NEAR(cosine_of_phi(m.samples[0]), -1, 1e-12) << "light and view on one side: backward";
+  EXPECT_NEAR(m.samples[1].brdf, 0.4, 1e-12);
+  EXPECT_EQ(m.channels, (std::vector<std::string>{"R", "G", "B"}));
+}
+
+TEST(AltaMeasurement, RefusesOtherParametrisations) {
+  EXPECT_NE(refusal(read_alta_measurement, "#DIM 3 1\n#PARAM_IN RUSIN_TH_TD_PD\n0 0 0 1\n").find("data:2: PARAM_IN RUSIN"),
+            std::string::npos);
+  EXPECT_NE(refusal(read_alta_measurement, "0 0 0 0 1\n").find("data:1: the header must give #DIM"), std::string::npos);
+  EXPECT_NE(refusal(read_alta_measurement, "#DIM 4 1\n0 0 1.6 0 1\n").find("theta_s = 91.67"), std::string::npos);
+  EXPECT_NE(refusal(read_alta_measurement, "#DIM 4 1\n0 0 1 x 1\n").find("data:2: x"), std::string::npos);
+}
+
+TEST(AstmMeasurement, ReadsRadiansAndWavelengths) {
+  const auto m = read(read_astm_measurement,
+                      "PROVIDER somebody\nNUM_POINTS 1\nVARS theta_i,phi_i,theta_s,phi_s,400nm,550nm\n" +
+                          fmt::format("{:.17g},0,{:.17g},{:.17g},0.25,0.5\n", 45 * radian, 10 * radian, std::numbers::pi));
+  ASSERT_EQ(m.samples.size(), 2u);
+  EXPECT_EQ(m.samples[0].pair.theta_i, 45);
+  EXPECT_EQ(m.samples[0].pair.theta_s, 10);
+  EXPECT_NEAR(cosine_of_phi(m.samples[0]), 1, 1e-12);
+  EXPECT_EQ(m.wavelength_nm(1), 550);
+  EXPECT_EQ(m.samples[1].brdf, 0.5);
+  EXPECT_NE(refusal(read_astm_measurement, "theta_i\n").find("has no line VARS"), std::string::npos);
+  EXPECT_NE(refusal(read_astm_measurement, "VARS theta_i,phi_i,theta_s,phi_s,B\n0,0,0,0\n").find("data:2: has 4 numbers"),
+            std::string::npos);
+}
+
+TEST(ZemaxMeasurement, TurnsSpecularAnglesIntoDirections) {
+  const std::string text =
+      "# a comment\nSource\tMeasured\nSymmetry\tPlaneSymmetrical\nSpectralContent\tMonochrome\nScatterType\tBRDF\n"
+      "SampleRotation\t1\n0\nAngleOfIncidence\t1\n40\nScatterAzimuth\t3\n0\t90\t180\nScatterRadial\t3\n0\t20\t60\n\n"
+      "Monochrome\nDataBegin\nTIS\t0.5\n1\t2\t3\n1\t5\t6\n1\t8\t9\nDataEnd\n";
+  const auto m = read(read_zemax_measurement, text);
+  // Of nine, the one 60 degrees beyond the mirror direction lies below the horizon.
+  ASSERT_EQ(m.samples.size(), 8u);
+  const auto of = [&](double brdf) {
+    return *std::find_if(m.samples.begin(), m.samples.end(), [&](const auto& s) { return s.brdf == brdf; });
+  };
+  EXPECT_NEAR(of(1).pair.theta_s, 40, 1e-6);  // the mirror direction
+  EXPECT_NEAR(cosine_of_phi(of(1)), 1, 1e-12);
+  EXPECT_NEAR(of(2).pair.theta_s, 20, 1e-6);  // toward the normal
+  EXPECT_NEAR(cosine_of_phi(of(2)), 1, 1e-12);
+  EXPECT_NEAR(of(3).pair.theta_s, 20, 1e-6);  // and past it
+  EXPECT_NEAR(cosine_of_phi(of(3)), -1, 1e-12);
+  EXPECT_NEAR(of(8).pair.theta_s, 60, 1e-6);  // away from the normal
+  // A right spherical triangle: cos theta_s = cos 20 cos 40.
+  EXPECT_NEAR(of(5).pair.theta_s, std::acos(std::cos(20 * radian) * std::cos(40 * radian)) / radian, 1e-5);
+  ASSERT_EQ(m.warnings.size(), 1u);
+  EXPECT_NE(m.warnings[0].find("1 values above 0 lie below the horizon"), std::string::npos);
+  EXPECT_NE(refusal(read_zemax_measurement, "ScatterType BTDF\n").find("must be BRDF"), std::string::npos);
+  EXPECT_NE(refusal(read_zemax_measurement, text.substr(0, text.size() - 12)).find("ends too early"), std::string::npos);
+  EXPECT_NE(refusal(read_zemax_measurement, "tensor_file").find("is no keyword"), std::string::npos);
+}
+
+// f = a + b theta_h + c theta_d in degrees; interpolation between cells of theta_h, uneven, is near but not exact.
+TEST(MerlMeasurement, ReadsHalfDifferenceAnglesInPlane) {
+  std::string bytes(12 + 3 * 1458000 * 8, '\0');
+  const std::int32_t dimensions[] = {90, 90, 180};
+  std::memcpy(bytes.data(), dimensions, 12);
+  const auto f = [](double theta_h, double theta_d) { return 0.1 + 0.01 * theta_h + 0.002 * theta_d; };
+  for (std::size_t c = 0; c < 3; ++c)
+    for (int h = 0; h < 90; ++h)
+      for (int d = 0; d < 90; ++d)
+        for (int phi = 0; phi < 180; ++phi) {
+          const double scale = std::array{1., 1.15, 1.66}[c] / 1500;
+          // One invalid cell, about theta_h = 10, theta_d = 50 degrees.
+          const double value = h == 29 && d == 50 ? -1 : f((h + 0.5) * (h + 0.5) / 90, d + 0.5) / scale;
+          std::memcpy(bytes.data() + 12 + 8 * (c * 1458000 + static_cast<std::size_t>(phi + 180 * (d + 90 * h))), &value, 8);
+        }
+  const auto m = read(read_merl_measurement, bytes);
+  EXPECT_EQ(m.channels.size(), 3u);
+  ASSERT_EQ(m.warnings.size(), 1u);
+  EXPECT_NE(m.warnings[0].find("invalid"), std::string::npos);
+  int compared = 0;
+  for (const auto& sample : m.samples) {
+    const double theta_h = std::abs(sample.pair.theta_s - sample.pair.theta_i) / 2;
+    const double theta_d = std::abs(sample.pair.theta_s + sample.pair.theta_i) / 2;
+    if (theta_d < 1 || theta_h < 0.1) continue;
+    EXPECT_NEAR(sample.brdf, f(theta_h, theta_d), 1e-4) << sample.pair.theta_i << " " << sample.pair.theta_s;
+    ++compared;
+  }
+  EXPECT_GT(compared, 2000);
+  EXPECT_NE(refusal(read_merl_measurement, "short").find("no MERL file"), std::string::npos);
+  EXPECT_NE(refusal(read_merl_measurement, bytes.substr(0, 1000)).find("fewer than"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace brdftab
