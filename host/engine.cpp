@@ -28,9 +28,9 @@ KernelMaterial::KernelMaterial(const Parameters& parameters, const ModelSwitches
                                                : bytes(material_constants<kernel_f32::MaterialConstants>(parameters))),
       variant_(bytes(model_variant<kernel_f64::ModelVariant>(switches))) {}
 
-void KernelMaterial::set(cl::Kernel& kernel, cl_uint first, bool with_variant) const {
+void KernelMaterial::set(cl::Kernel& kernel, cl_uint first) const {
   kernel.setArg(first, constants_.size(), constants_.data());
-  if (with_variant) kernel.setArg(first + 1, variant_.size(), variant_.data());
+  kernel.setArg(first + 1, variant_.size(), variant_.data());
 }
 
 Engine::Engine(Device device, Precision working, Precision table, std::size_t directions_width)

@@ -16,8 +16,8 @@ namespace brdftab {
 class KernelMaterial {
  public:
   KernelMaterial(const Parameters&, const ModelSwitches&, Precision working);
-  /// Sets the arguments MaterialConstants and, if wanted, ModelVariant from `first` on.
-  void set(cl::Kernel& kernel, cl_uint first, bool with_variant = true) const;
+  /// Sets the arguments MaterialConstants and ModelVariant from `first` on.
+  void set(cl::Kernel& kernel, cl_uint first) const;
 
  private:
   std::vector<std::byte> constants_;

@@ -78,15 +78,6 @@ FN PolarizedReflectances polarized_reflectances(Fresnel i, Fresnel s)
   return r;
 }
 
-// The mean over the two polarisations: V_m, N and the profile do not depend on them.
-FN Reflectances unpolarized(PolarizedReflectances r)
-{
-  Reflectances mean;
-  mean.surface = REAL(0.5) * (r.s.surface + r.p.surface);
-  mean.subsurface = REAL(0.5) * (r.s.subsurface + r.p.subsurface);
-  return mean;
-}
-
 FN real lobe_amplitude(int lobe, Reflectances r, MaterialConstants m)
 {
   return lobe == LOBE_SURFACE ? m.sigma_surface * r.surface

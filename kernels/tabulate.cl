@@ -68,11 +68,11 @@ FN Reflectances polarization_reflectances(PolarFactors i, PolarFactors s, real w
 // scaled so that the denominator ranges about 1, and products of all three lobes' stay far from the ends of the
 // table's range. [lobe][3][theta_i][theta_s], of pairs_i x pairs_s.
 // n_i: [LOBE_COUNT][count_i]; n_s: [LOBE_COUNT][count_s], which matters for reciprocal normalisation only.
-__kernel void lorentzian_pairs(__global const real *restrict polar_i,
-                             __global const real *restrict polar_s, __global const real *restrict n_i,
-                               int count_i, __global const real *restrict n_s, int count_s, int first_i, int first_s, int pairs_i, int pairs_s,
-                               __global table_real *restrict pairs, __global int *restrict alarms,
-                               real weight_s, real weight_p, MaterialConstants m, ModelVariant variant)
+__kernel void lorentzian_pairs(__global const real *restrict polar_i, __global const real *restrict polar_s,
+                               __global const real *restrict n_i, int count_i, __global const real *restrict n_s,
+                               int count_s, int first_i, int first_s, int pairs_i, int pairs_s,
+                               __global table_real *restrict pairs, __global int *restrict alarms, real weight_s,
+                               real weight_p, MaterialConstants m, ModelVariant variant)
 {
   const size_t s = get_global_id(0);
   const size_t i = get_global_id(1);
@@ -177,11 +177,10 @@ LORENTZIAN_SAMPLES(lorentzian_samples_apart, 0)
 
 // A Gaussian lobe is scale exp(-(axial + transverse sin^2(phi/2))): [lobe][3][theta_i][theta_s]. The exponent
 // needs the working precision: in float32 its rounding alone would cost 4e-6 at 1e-30 of the peak.
-__kernel void gaussian_pairs(__global const real *restrict polar_i,
-                             __global const real *restrict polar_s, __global const real *restrict n_i,
-                             int count_i, __global const real *restrict n_s, int count_s, int first_i, int first_s, int pairs_i, int pairs_s,
-                             __global real *restrict pairs, __global int *restrict alarms, real weight_s,
-                             real weight_p,
+__kernel void gaussian_pairs(__global const real *restrict polar_i, __global const real *restrict polar_s,
+                             __global const real *restrict n_i, int count_i, __global const real *restrict n_s,
+                             int count_s, int first_i, int first_s, int pairs_i, int pairs_s,
+                             __global real *restrict pairs, __global int *restrict alarms, real weight_s, real weight_p,
                              MaterialConstants m, ModelVariant variant)
 {
   const size_t s = get_global_id(0);
