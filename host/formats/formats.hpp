@@ -9,4 +9,6 @@ namespace brdftab {
 
 std::unique_ptr<ExportFormat> make_csv_format();
 
+std::unique_ptr<ExportFormat> make_radiance_format();
+
 }  // namespace brdftab
