@@ -11,4 +11,6 @@ std::unique_ptr<ExportFormat> make_csv_format();
 
 std::unique_ptr<ExportFormat> make_radiance_format();
 
+std::unique_ptr<ExportFormat> make_eradiate_format();
+
 }  // namespace brdftab
