@@ -48,10 +48,8 @@ ChannelWeights transformed(const Eigen::Matrix3d& matrix, const ChannelWeights& 
   return result;
 }
 
-}  // namespace
-
-ChannelWeights xyz_weights(const std::vector<double>& wavelengths_nm, Illuminant illuminant) {
-  const std::vector<double> bands = wavelengths_nm.empty() ? std::vector<double>{550} : wavelengths_nm;
+// X, Y and Z under the illuminant as it is.
+ChannelWeights seen_weights(const std::vector<double>& bands, Illuminant illuminant) {
   ChannelWeights weights;
   double white = 0;
   for (const Cie1931Row& row : cie_1931) white += row.y * power(row, illuminant);
@@ -68,18 +66,31 @@ ChannelWeights xyz_weights(const std::vector<double>& wavelengths_nm, Illuminant
   return weights;
 }
 
-ChannelWeights rgb_weights(const std::vector<double>& wavelengths_nm, Illuminant illuminant) {
-  const ChannelWeights white = xyz_weights({}, illuminant);
-  const Eigen::Vector3d seen(white[0][0], white[1][0], white[2][0]);
-  const Eigen::Vector3d srgb_white = from_xy(0.3127, 0.3290);
-  ChannelWeights weights =
-      transformed(xyz_from_rgb(srgb_white).inverse() * adaptation(seen, srgb_white), xyz_weights(wavelengths_nm, illuminant));
+// In a space whose white has the coordinates `white` and three equal channels, by `from_xyz`.
+ChannelWeights adapted_weights(const std::vector<double>& wavelengths_nm, Illuminant illuminant, const Eigen::Vector3d& white,
+                               const Eigen::Matrix3d& from_xyz) {
+  const std::vector<double> one_band{550};
+  const ChannelWeights sums = seen_weights(one_band, illuminant);
+  const Eigen::Vector3d seen(sums[0][0], sums[1][0], sums[2][0]);
+  ChannelWeights weights = transformed(from_xyz * adaptation(seen, white),
+                                       seen_weights(wavelengths_nm.empty() ? one_band : wavelengths_nm, illuminant));
   // They add up to 1 but for rounding; grey is to be exact.
   for (auto& channel : weights) {
     const double sum = std::accumulate(channel.begin(), channel.end(), 0.);
     for (double& weight : channel) weight /= sum;
   }
   return weights;
+}
+
+}  // namespace
+
+ChannelWeights xyz_weights(const std::vector<double>& wavelengths_nm, Illuminant illuminant) {
+  return adapted_weights(wavelengths_nm, illuminant, {1, 1, 1}, Eigen::Matrix3d::Identity());
+}
+
+ChannelWeights rgb_weights(const std::vector<double>& wavelengths_nm, Illuminant illuminant) {
+  const Eigen::Vector3d srgb_white = from_xy(0.3127, 0.3290);
+  return adapted_weights(wavelengths_nm, illuminant, srgb_white, xyz_from_rgb(srgb_white).inverse());
 }
 
 std::string_view rgb_convention(Illuminant illuminant) {
