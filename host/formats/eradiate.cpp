@@ -37,7 +37,7 @@ class EradiateTable : public ExportedTable {
   }
   std::vector<double> wavelengths_nm() const override { return wavelengths_nm_; }
   std::string material_text() const override { return material_text_; }
-  std::string interpolation() const override { return "linear in both cosines and in the azimuth"; }
+  std::string interpolation() const override { return "linear interpolation in both cosines and in the azimuth"; }
 
  private:
   GridSamples samples_;  // over 1 - cos theta in place of polar angles

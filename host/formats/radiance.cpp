@@ -74,7 +74,7 @@ class KlemsTable : public RadianceTable {
     if (f.size() == 3) std::swap(f[0], f[1]);
     return f;
   }
-  std::string interpolation() const override { return "constant over pairs of Klems patches"; }
+  std::string interpolation() const override { return "the nearest pair of Klems patches"; }
 
  private:
   Channels matrices_;
@@ -101,7 +101,7 @@ class TreeTable : public RadianceTable {
     }
     return f;
   }
-  std::string interpolation() const override { return "constant over the cells of the tree"; }
+  std::string interpolation() const override { return "the nearest cell of the tree"; }
 
  private:
   std::vector<TensorTree> trees_;
