@@ -48,8 +48,9 @@ ChannelWeights transformed(const Eigen::Matrix3d& matrix, const ChannelWeights& 
   return result;
 }
 
-// X, Y and Z under the illuminant as it is.
-ChannelWeights seen_weights(const std::vector<double>& bands, Illuminant illuminant) {
+// Y of the perfect white is 1.
+ChannelWeights tristimulus_weights(const std::vector<double>& wavelengths_nm, Illuminant illuminant) {
+  const std::vector<double> bands = wavelengths_nm.empty() ? std::vector<double>{550} : wavelengths_nm;
   ChannelWeights weights;
   double white = 0;
   for (const Cie1931Row& row : cie_1931) white += row.y * power(row, illuminant);
@@ -66,15 +67,8 @@ ChannelWeights seen_weights(const std::vector<double>& bands, Illuminant illumin
   return weights;
 }
 
-// In a space whose white has the coordinates `white` and three equal channels, by `from_xyz`.
-ChannelWeights adapted_weights(const std::vector<double>& wavelengths_nm, Illuminant illuminant, const Eigen::Vector3d& white,
-                               const Eigen::Matrix3d& from_xyz) {
-  const std::vector<double> one_band{550};
-  const ChannelWeights sums = seen_weights(one_band, illuminant);
-  const Eigen::Vector3d seen(sums[0][0], sums[1][0], sums[2][0]);
-  ChannelWeights weights = transformed(from_xyz * adaptation(seen, white),
-                                       seen_weights(wavelengths_nm.empty() ? one_band : wavelengths_nm, illuminant));
-  // They add up to 1 but for rounding; grey is to be exact.
+// The weights of a channel add up to its value for white.
+ChannelWeights relative_to_white(ChannelWeights weights) {
   for (auto& channel : weights) {
     const double sum = std::accumulate(channel.begin(), channel.end(), 0.);
     for (double& weight : channel) weight /= sum;
@@ -85,12 +79,16 @@ ChannelWeights adapted_weights(const std::vector<double>& wavelengths_nm, Illumi
 }  // namespace
 
 ChannelWeights xyz_weights(const std::vector<double>& wavelengths_nm, Illuminant illuminant) {
-  return adapted_weights(wavelengths_nm, illuminant, {1, 1, 1}, Eigen::Matrix3d::Identity());
+  return relative_to_white(tristimulus_weights(wavelengths_nm, illuminant));
 }
 
 ChannelWeights rgb_weights(const std::vector<double>& wavelengths_nm, Illuminant illuminant) {
+  const ChannelWeights white = tristimulus_weights({}, illuminant);
+  const Eigen::Vector3d seen(white[0][0], white[1][0], white[2][0]);
   const Eigen::Vector3d srgb_white = from_xy(0.3127, 0.3290);
-  return adapted_weights(wavelengths_nm, illuminant, srgb_white, xyz_from_rgb(srgb_white).inverse());
+  // White has three ones but for rounding; grey is to be exact.
+  return relative_to_white(transformed(xyz_from_rgb(srgb_white).inverse() * adaptation(seen, srgb_white),
+                                       tristimulus_weights(wavelengths_nm, illuminant)));
 }
 
 std::string_view rgb_convention(Illuminant illuminant) {

@@ -20,11 +20,12 @@ constexpr std::string_view name_of(Illuminant illuminant) { return illuminant_na
 using ChannelWeights = std::array<std::vector<double>, 3>;
 
 /// X, Y and Z from bands at these wavelengths, nm, that increase; f between bands is linear in the wavelength, and constant
-/// beyond them. The illuminant's white is brought to equal energy by Bradford adaptation, so that f constant over wavelengths
-/// gives X = Y = Z = f under either illuminant. No wavelength: one band, grey. Sums over 380:780:5 nm.
+/// beyond them. Each is relative to that of the perfect white, so that f constant over wavelengths gives X = Y = Z = f under
+/// either illuminant, and Y is the luminous reflectance. No wavelength: one band, grey. Sums over 380:780:5 nm.
 ChannelWeights xyz_weights(const std::vector<double>& wavelengths_nm, Illuminant illuminant);
 
-/// Linear sRGB in the same way, the white brought to that of sRGB. Saturated colours may have a channel below 0.
+/// Linear sRGB in the same way. The illuminant's white is brought to that of sRGB by Bradford adaptation, so that f constant
+/// over wavelengths gives three equal channels under either illuminant. Saturated colours may have a channel below 0.
 ChannelWeights rgb_weights(const std::vector<double>& wavelengths_nm, Illuminant illuminant);
 
 /// What files say of their channels.

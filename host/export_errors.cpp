@@ -84,6 +84,7 @@ ConsumerError compare(const Channels& consumer, const Channels& model, const Dir
       result.model = model[c][k];
     }
   result.values = errors.size();
+  result.maximum = std::max(result.maximum, 0.);
   result.median = portion(errors, 0.5);
   result.percentile_95 = portion(errors, 0.95);
   return result;
