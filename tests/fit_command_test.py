@@ -1,8 +1,11 @@
 """fit from outside: a synthetic measurement to a material file, and what bad data get."""
 
+import collections
 import csv
 import io
+import math
 import re
+import statistics
 import unittest
 import xml.etree.ElementTree
 
@@ -47,8 +50,19 @@ class Fit(InFolder):
         fitted = run("evaluate", material, stdin=PAIRS)
         self.assertEqual(fitted.returncode, DONE, fitted.stderr)
         truth = run("evaluate", MATERIALS / "garnet-red-paint.toml", stdin=PAIRS)
-        for ours, theirs in zip(csv.DictReader(io.StringIO(fitted.stdout)), csv.DictReader(io.StringIO(truth.stdout))):
+        model = list(csv.DictReader(io.StringIO(fitted.stdout)))
+        for ours, theirs in zip(model, csv.DictReader(io.StringIO(truth.stdout))):
             self.assertAlmostEqual(float(ours["brdf"]) / float(theirs["brdf"]), 1, delta=0.12, msg=str(ours))
+        measured = csv.DictReader(line for line in data.read_text().splitlines() if not line.startswith("#"))
+        squares = collections.defaultdict(list)
+        for ours, theirs in zip(model, measured):
+            squares[float(ours["theta_i_deg"])].append(math.log(float(ours["brdf"]) / float(theirs["brdf"])) ** 2)
+        samples = math.sqrt(statistics.fmean(value for at in squares.values() for value in at))
+        incidences = math.sqrt(statistics.fmean(statistics.fmean(at) for at in squares.values()))
+        self.assertIn(f"all samples alike: {samples:.4g}, each incidence alike: {incidences:.4g}\n", result.stdout)
+        integrals = run("integrate", material, "--theta-i", ",".join(f"{angle:g}" for angle in squares))
+        for row in csv.DictReader(line for line in integrals.stdout.splitlines() if not line.startswith("#")):
+            self.assertRegex(result.stdout, rf"theta_i = {float(row['theta_i_deg']):g} .*DHR {float(row['dhr']):.4g}\n")
 
     def test_polarised_light_is_fitted_as_such(self):
         data = self.synthetic()
