@@ -148,8 +148,7 @@ ExitStatus run(const Options& given, const CommonOptions& common) {
                                           [](const auto& a, const auto& b) { return a.dhr < b.dhr; });
   if (brightest->dhr > 1)
     say(common,
-        fmt::format("warning: the fitted material's DHR reaches {:.4g} at theta_i = {} degrees: the model does not bound it, "
-                    "and only samples over the hemisphere do",
+        fmt::format("warning: the fitted material's DHR reaches {:.4g} at theta_i = {} degrees: the model does not bound it",
                     brightest->dhr, shortest(brightest->theta_i)));
   const double all = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   say(common,
