@@ -77,6 +77,19 @@ class Fit(InFolder):
             else:
                 self.assertGreater(rms, 1e-3)
 
+    def test_a_variant_is_fitted_as_such(self):
+        variant = self.folder / "variant.toml"
+        variant.write_text((MATERIALS / "garnet-red-paint.toml").read_text() + '\n[model]\nnormalization = "reciprocal"\n')
+        data = self.folder / "data.csv"
+        self.assertEqual(run("evaluate", variant, "-o", data, stdin=PAIRS).returncode, DONE)
+        output = self.folder / "x.toml"
+        for options, fits in ((["--model", "normalization=reciprocal"], True), ([], False)):
+            result = run("fit", data, "-o", output, "--force", "--floor", "0", "--starts", "16", "--intervals", "linear", *options)
+            self.assertEqual(result.returncode, DONE, result.stderr)
+            rms = float(re.search(r"each incidence alike: (\S+)", result.stdout).group(1))
+            self.assertEqual(rms < 1e-3, fits, result.stdout)
+            self.assertEqual('normalization = "reciprocal"' in output.read_text(), fits)
+
     def test_bad_data_and_options_are_one_line(self):
         good = HEADER + "".join(f"{i},{s},0,0.1,a\n" for i in (10, 50) for s in range(-60, 61, 5))
         output = self.folder / "out.toml"
@@ -90,7 +103,7 @@ class Fit(InFolder):
                  (good, ["--fix", "k_ef=0"], "--fix k_ef=0"),
                  (good, ["--bounds", "w=3:1"], "LOW must be below HIGH"),
                  (good, ["--weights", "sigma"], "takes a column sigma"),
-                 (good, ["--model", "normalization=reciprocal"], "no derivatives"),
+                 (good, ["--model", "normalization=closed-form"], "no derivatives"),
                  (good, ["--model", "shading=none"], "--model shading=none"),
                  (good, ["--floor", "1"], "no sample"),
                  ("\n".join(good.split("\n")[:10]) + "\n", [], "samples are left for 14 free parameters")]
