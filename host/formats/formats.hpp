@@ -1,0 +1,16 @@
+// The simulators' formats, one row each; each is made in the source file of its name.
+#pragma once
+
+#include <memory>
+
+#include "host/export_format.hpp"
+
+namespace brdftab {
+
+std::unique_ptr<ExportFormat> make_astm_format();
+std::unique_ptr<ExportFormat> make_csv_format();
+std::unique_ptr<ExportFormat> make_merl_format();
+std::unique_ptr<ExportFormat> make_ssdd_format();
+std::unique_ptr<ExportFormat> make_zemax_format();
+
+}  // namespace brdftab
