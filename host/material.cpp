@@ -297,6 +297,19 @@ class MaterialReader {
   std::vector<std::string_view> lines_;
 };
 
+Material Material::at_wavelength(double wavelength_nm) const {
+  if (!has_wavelengths()) throw BadInput("{} has no bands, and so none at {} nm", name_, shortest(wavelength_nm));
+  const auto band = std::find_if(bands_.begin(), bands_.end(), [&](const Band& b) { return b.wavelength_nm == wavelength_nm; });
+  if (band == bands_.end()) {
+    std::vector<std::string> known;
+    for (const Band& b : bands_) known.push_back(shortest(*b.wavelength_nm));
+    throw BadInput("{} has no band at {} nm; it has {}", name_, shortest(wavelength_nm), fmt::join(known, ", "));
+  }
+  Material result = *this;
+  result.bands_ = {*band};
+  return result;
+}
+
 Material Material::parse(std::string text, const std::string& source) { return MaterialReader(std::move(text), source).read(); }
 
 Material Material::read(const std::filesystem::path& file) {

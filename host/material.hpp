@@ -40,6 +40,10 @@ class Material {
   bool has_wavelengths() const { return bands_.front().wavelength_nm.has_value(); }
   const Grid& grid() const { return grid_; }
 
+  /// The same material with one of its bands, for what holds only one; its text stays whole. Throws BadInput, which lists the
+  /// bands, where none has this wavelength.
+  Material at_wavelength(double wavelength_nm) const;
+
  private:
   Material() = default;
   friend class MaterialReader;

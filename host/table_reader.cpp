@@ -45,4 +45,11 @@ std::unique_ptr<TableReader> open_table(const std::filesystem::path& path) {
   throw BadInput("{}: is neither an HDF5 nor an OpenEXR file", path.string());
 }
 
+bool is_table(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::string start(hdf5_signature.size(), '\0');
+  in.read(start.data(), static_cast<std::streamsize>(start.size()));
+  return start == hdf5_signature || start.starts_with(exr_signature);
+}
+
 }  // namespace brdftab

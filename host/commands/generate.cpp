@@ -7,7 +7,9 @@
 #include <ctime>
 
 #include "host/commands/command.hpp"
+#include "host/commands/export_option.hpp"
 #include "host/commands/interpolation_option.hpp"
+#include "host/commands/output_plan.hpp"
 #include "host/exr_table.hpp"
 #include "host/hdf5_table.hpp"
 #include "host/mantissa.hpp"
@@ -32,6 +34,7 @@ struct Options {
   std::optional<std::string> exr_layout;
   std::optional<std::string> exr_compression;
   InterpolationOption interpolation;
+  ExportOption exported;
   bool force = false;
 };
 
@@ -47,37 +50,45 @@ std::unique_ptr<TableWriter> create_exr(const fs::path& file, const TableContent
   return create_exr_table(file, content, exr);
 }
 
+/// A format that generate writes: dense tables from slabs, or a simulator's file.
 struct FormatRow {
   std::string_view name;
   std::vector<std::string_view> extensions;
-  std::unique_ptr<TableWriter> (*create)(const fs::path&, const TableContent&, const Options&);
+  std::string_view suffix;  // of a file in a folder
+  std::unique_ptr<TableWriter> (*create)(const fs::path&, const TableContent&, const Options&) = nullptr;
+  const ExportFormat* exported = nullptr;
 };
 
-const std::vector<FormatRow>& format_table() {
-  static const std::vector<FormatRow> table{{"hdf5", {".h5", ".hdf5", ".nc"}, create_hdf5}, {"exr", {".exr"}, create_exr}};
+std::vector<FormatRow> format_table(const ExportFormats& exported) {
+  std::vector<FormatRow> table{{"hdf5", {".h5", ".hdf5", ".nc"}, ".h5", create_hdf5}, {"exr", {".exr"}, ".exr", create_exr}};
+  for (const auto& format : exported)
+    table.push_back({format->traits().name, format->traits().extensions, format->traits().suffix, nullptr, format.get()});
   return table;
 }
 
-std::string known_formats() {
+std::string known_formats(const std::vector<FormatRow>& table) {
   std::vector<std::string> rows;
-  for (const auto& row : format_table()) rows.push_back(fmt::format("{} ({})", row.name, fmt::join(row.extensions, ", ")));
+  for (const auto& row : table)
+    rows.push_back(row.extensions.empty() ? std::string(row.name)
+                                          : fmt::format("{} ({})", row.name, fmt::join(row.extensions, ", ")));
   return fmt::format("{}", fmt::join(rows, "; "));
 }
 
-const FormatRow& find_format(const Options& options, bool folder) {
+const FormatRow& find_format(const std::vector<FormatRow>& table, const Options& options, bool folder) {
+  const auto named = [&](std::string_view name) {
+    return std::find_if(table.begin(), table.end(), [&](const FormatRow& row) { return row.name == name; });
+  };
   if (!options.format.empty()) {
-    for (const auto& row : format_table())
-      if (row.name == options.format) return row;
-    throw BadInput("--format {}: unknown; there is {}", excerpt(options.format), known_formats());
+    const auto row = named(options.format);
+    if (row == table.end()) throw BadInput("--format {}: unknown; there is {}", excerpt(options.format), known_formats(table));
+    return *row;
   }
-  const FormatRow& exr = format_table().back();
-  if (folder && options.exr_layout) return exr;
-  if (folder) return format_table().front();
+  if (folder) return *named(options.exr_layout ? "exr" : "hdf5");
   const std::string extension = fs::path(options.output).extension().string();
-  for (const auto& row : format_table())
+  for (const auto& row : table)
     if (std::find(row.extensions.begin(), row.extensions.end(), extension) != row.extensions.end()) return row;
-  if (options.exr_layout == "files") return exr;  // a folder's name needs no extension
-  throw BadInput("-o {}: the extension names no format; there is {}", excerpt(options.output), known_formats());
+  if (options.exr_layout == "files") return *named("exr");  // a folder's name needs no extension
+  throw BadInput("-o {}: the extension names no format; --format has {}", excerpt(options.output), known_formats(table));
 }
 
 std::vector<Polarization> polarizations(const std::string& name) {
@@ -104,13 +115,6 @@ std::string history(const CommonOptions& common) {
   return fmt::format("{:%Y-%m-%dT%H:%M:%SZ} {}", fmt::gmtime(now), common.command_line);
 }
 
-// What a material's table is called in a folder: the material file's name, with the format's extension.
-fs::path file_in_folder(const fs::path& folder, const std::string& material, const FormatRow& format, const Options& options) {
-  const std::string name = material == "-" ? "material" : fs::path(material).stem().string();
-  if (options.exr_layout == "files") return folder / name;
-  return folder / (name + std::string(format.extensions.front()));
-}
-
 // How a table that is not plain came out.
 std::string size_text(const TableStorage& storage, const Grid& grid, Precision precision, const GenerateSummary& summary) {
   const std::string notes = storage_text(storage, grid, precision);
@@ -119,7 +123,16 @@ std::string size_text(const TableStorage& storage, const Grid& grid, Precision p
                      static_cast<double>(summary.bytes) / static_cast<double>(summary.file_bytes), notes);
 }
 
-ExitStatus run(const Options& options, const CommonOptions& common) {
+ExitStatus export_materials(const Options& options, const ExportFormat& format, const std::vector<MaterialOutput>& outputs,
+                            const CommonOptions& common) {
+  const Device device = select_device(options.device);
+  const Engine engine(device, Engine::widest(device), Precision::float32);
+  for (const MaterialOutput& output : outputs)
+    options.exported.write(engine, format, output, grid_for(output.material, options), history(common), options.force, common);
+  return ExitStatus::done;
+}
+
+ExitStatus run(const Options& options, const CLI::App& parser, const CommonOptions& common) {
   TableStorage storage;
   if (options.compress) storage.deflate_level = parse_compression(*options.compress);
   const Precision precision = options.precision == "float64" ? Precision::float64 : Precision::float32;
@@ -127,41 +140,25 @@ ExitStatus run(const Options& options, const CommonOptions& common) {
   storage.keep_bits = options.keep_bits;
   if (options.layout == "virtual") storage.layout = Layout::virtual_view;
   options.interpolation.check();
-  std::error_code error;
-  const bool is_folder = fs::is_directory(options.output, error);
-  const bool folder = options.materials.size() > 1 || options.output.ends_with('/') || is_folder;
-  const FormatRow& format = find_format(options, folder);
+  const auto formats = format_table(options.exported.formats());
+  const FormatRow& format = find_format(formats, options, names_folder(options.materials, options.output));
+  options.exported.check(parser, format.exported);
   if (format.name != "exr" && (options.exr_layout || options.exr_compression))
     throw BadInput("--exr-layout and --exr-compression are for OpenEXR; the table is {}", format.name);
   if (format.name != "hdf5" && (options.compress || storage.layout == Layout::virtual_view))
     throw BadInput("--compress and --layout virtual are for HDF5; the table is {}", format.name);
-  if (folder && !is_folder) {
-    if (fs::exists(fs::path(options.output.substr(0, options.output.find_last_not_of('/') + 1)), error))
-      throw BadInput("-o {}: is a file; several materials need -o FOLDER/", excerpt(options.output));
-    throw FileError("{}: the folder does not exist{}", options.output,
-                    options.output.ends_with('/') ? "" : "; several materials need -o FOLDER/");
-  }
-  struct Task {
-    Material material;
-    Grid grid;
-    fs::path target;
-  };
-  // What materials, grids and names can be refused for is refused before the first table is begun.
-  std::vector<Task> tasks;
-  for (const auto& file : options.materials) {
-    Material material = Material::read(file);
-    const fs::path target = folder ? file_in_folder(options.output, file, format, options) : fs::path(options.output);
-    for (const Task& other : tasks)
-      if (other.target == target) throw BadInput("{}: two materials would both be written to {}", file, target.string());
-    if (!options.force && fs::exists(fs::symlink_status(target, error)))
-      throw FileError("{}: exists; --force overwrites it", target.string());
-    Grid grid = grid_for(material, options);
+  auto outputs =
+      plan_outputs(options.materials, options.output, options.exr_layout == "files" ? "" : format.suffix, options.force);
+  if (format.exported) return export_materials(options, *format.exported, outputs, common);
+  // What grids can be refused for is refused before the first table is begun.
+  std::vector<Grid> grids;
+  for (const MaterialOutput& output : outputs) {
+    grids.push_back(grid_for(output.material, options));
     try {
-      stored_grid(grid, storage);
+      stored_grid(grids.back(), storage);
     } catch (const BadInput& refusal) {
-      throw BadInput("{}: {}", file, refusal.what());
+      throw BadInput("{}: {}", output.input, refusal.what());
     }
-    tasks.push_back({std::move(material), std::move(grid), target});
   }
   std::vector<std::unique_ptr<Engine>> owned;
   std::vector<const Engine*> engines;
@@ -175,19 +172,21 @@ ExitStatus run(const Options& options, const CommonOptions& common) {
   generate_options.quiet = common.quiet;
   generate_options.force = options.force;
   generate_options.history = history(common);
-  for (Task& task : tasks) {
+  for (std::size_t k = 0; k < outputs.size(); ++k) {
+    const MaterialOutput& output = outputs[k];
+    Grid& grid = grids[k];
     if (options.interpolation.asked())
       generate_options.grid_choice =
-          options.interpolation.choose(*engines.front(), task.material, generate_options.polarizations, task.grid);
+          options.interpolation.choose(*engines.front(), output.material, generate_options.polarizations, grid);
     if (options.interpolation.dry_run()) continue;
     const auto summary = generate(
-        engines, task.material, task.grid, task.target,
+        engines, output.material, grid, output.target,
         [&](const fs::path& file, const TableContent& content) { return format.create(file, content, options); },
         generate_options);
     const Accuracy& accuracy = summary.findings.accuracy;
     say(common,
-        fmt::format("{}: {} samples, {:.3g} MB{} in {:.2f} s; {}", task.target.string(), summary.samples,
-                    static_cast<double>(summary.bytes) / 1e6, size_text(storage, task.grid, precision, summary), summary.seconds,
+        fmt::format("{}: {} samples, {:.3g} MB{} in {:.2f} s; {}", output.target.string(), summary.samples,
+                    static_cast<double>(summary.bytes) / 1e6, size_text(storage, grid, precision, summary), summary.seconds,
                     accuracy.nodes == 0
                         ? "no node large enough to be checked against the scalar reference"
                         : fmt::format("largest relative error at {} nodes checked against the scalar reference {:.1e}",
@@ -201,14 +200,21 @@ ExitStatus run(const Options& options, const CommonOptions& common) {
 
 std::function<ExitStatus()> generate_command(CLI::App& parser, const CommonOptions& common) {
   auto options = std::make_shared<Options>();
-  parser.add_option("MATERIAL", options->materials, "Material files (TOML); several need -o FOLDER/")->required();
+  parser
+      .add_option("MATERIAL", options->materials,
+                  "Material files (TOML), or tables, for the material inside; several need -o FOLDER/")
+      ->required();
   parser.add_option("-o,--output", options->output, "Table file, or a folder")->required();
-  parser.add_option("--format", options->format, fmt::format("Format, where the extension does not tell: {}", known_formats()));
+  parser.add_option(
+      "--format", options->format,
+      fmt::format("Format, where the extension does not tell: {}", known_formats(format_table(options->exported.formats()))));
+  parser.option_defaults()->group(axes_group);
   for (const auto& row : axis_table)
     parser.add_option(axis_option(row), options->axes[static_cast<std::size_t>(row.kind)],
                       fmt::format("{}, degrees: start:stop:step, both ends included, or angles separated by commas; default: "
                                   "the material's, or {}",
                                   row.long_name, row.default_text));
+  parser.option_defaults()->group(dense_group);
   parser.add_option("--polarization", options->polarization, "unpolarized (default), s, p, or all: the three")
       ->check(CLI::IsMember({"unpolarized", "s", "p", "all"}));
   parser.add_option("--precision", options->precision, "Samples as float32 (default) or float64")
@@ -236,9 +242,11 @@ std::function<ExitStatus()> generate_command(CLI::App& parser, const CommonOptio
       ->check(CLI::IsMember(std::vector<std::string>(exr_layout_names.begin(), exr_layout_names.end())));
   parser.add_option("--exr-compression", options->exr_compression, "OpenEXR: none (default) or zip, both lossless")
       ->check(CLI::IsMember({"none", "zip"}));
+  options->exported.add(parser);
+  parser.option_defaults()->group("Options");
   parser.add_flag("--force", options->force, "Overwrite an existing table");
   add_device_option(parser, options->device, true);
-  return [options, &common] { return run(*options, common); };
+  return [options, &parser, &common] { return run(*options, parser, common); };
 }
 
 }  // namespace brdftab

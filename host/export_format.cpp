@@ -1,0 +1,44 @@
+#include "host/export_format.hpp"
+
+#include <cerrno>
+#include <fstream>
+#include <system_error>
+
+#include "host/error.hpp"
+#include "host/formats/formats.hpp"
+
+namespace brdftab {
+namespace {
+
+constexpr std::size_t beginning_bytes = 4096;
+
+constexpr std::unique_ptr<ExportFormat> (*format_makers[])() = {
+    make_csv_format,
+};
+
+}  // namespace
+
+ExportFormats export_formats() {
+  ExportFormats formats;
+  for (const auto make : format_makers) formats.push_back(make());
+  return formats;
+}
+
+const ExportFormat* recognised_format(const ExportFormats& formats, const std::filesystem::path& file) {
+  std::error_code error;
+  if (!std::filesystem::exists(file, error)) throw FileError("{}: does not exist", file.string());
+  std::string beginning(beginning_bytes, '\0');
+  if (std::filesystem::is_directory(file, error)) {
+    beginning.clear();
+  } else {
+    std::ifstream in(file, std::ios::binary);
+    if (!in) throw FileError("{}: cannot be read: {}", file.string(), std::generic_category().message(errno));
+    in.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
+    beginning.resize(static_cast<std::size_t>(in.gcount()));
+  }
+  for (const auto& format : formats)
+    if (format->recognises(file, beginning)) return format.get();
+  return nullptr;
+}
+
+}  // namespace brdftab

@@ -1,0 +1,90 @@
+#include "host/export_source.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_set>
+
+#include "host/error.hpp"
+#include "host/evaluate.hpp"
+#include "host/integrals.hpp"
+#include "host/numbers.hpp"
+
+namespace brdftab {
+namespace {
+
+// Up to here N is integrated at every polar angle; beyond, a spline through as many angles costs less.
+constexpr std::size_t most_integrals = 2000;
+
+std::size_t distinct_angles(const Directions& directions) {
+  std::unordered_set<double> angles(directions.theta_i.begin(), directions.theta_i.end());
+  angles.insert(directions.theta_s.begin(), directions.theta_s.end());
+  return angles.size();
+}
+
+}  // namespace
+
+ExportSource::ExportSource(const Engine& engine, Material material, ExportChoice choice)
+    : engine_(engine), material_(std::move(material)), choice_(std::move(choice)) {}
+
+std::vector<double> ExportSource::wavelengths_nm() const {
+  std::vector<double> result;
+  for (const Band& band : material_.bands())
+    if (band.wavelength_nm) result.push_back(*band.wavelength_nm);
+  return result;
+}
+
+std::vector<std::vector<double>> ExportSource::values(const Directions& directions, Polarization polarization) const {
+  if (distinct_angles(directions) > most_integrals) {
+    auto& sampled = sampled_[static_cast<std::size_t>(polarization)];
+    if (!sampled)
+      sampled = std::make_unique<SampledModel>(engine_, material_, std::vector{polarization}, AngleRange{0, 89.9999},
+                                               AngleRange{0, 89.9999});
+    return sampled->evaluate(directions);
+  }
+  std::vector<DirectionPair> pairs;
+  pairs.reserve(directions.size());
+  for (std::size_t k = 0; k < directions.size(); ++k)
+    pairs.push_back({.theta_i = directions.theta_i[k], .theta_s = directions.theta_s[k], .phi = directions.phi[k], .line = 0});
+  std::vector<std::vector<double>> f;
+  for (const Band& band : material_.bands()) {
+    auto& values = f.emplace_back();
+    values.reserve(pairs.size());
+    for (const PolarizedBrdf& value : brdftab::evaluate(engine_, band, material_.switches(), pairs))
+      values.push_back(polarization == Polarization::s   ? value.s
+                       : polarization == Polarization::p ? value.p
+                                                         : value.unpolarized());
+  }
+  return f;
+}
+
+std::vector<std::vector<double>> ExportSource::evaluate(const Directions& directions, Polarization polarization) const {
+  auto f = values(directions, polarization);
+  for (const auto& band : f) {
+    const auto at = std::find_if_not(band.begin(), band.end(), [](double value) { return std::isfinite(value); });
+    if (at == band.end()) continue;
+    const auto k = static_cast<std::size_t>(at - band.begin());
+    throw BadInput("{}: f is not finite at theta_i = {}, theta_s = {}, phi = {} degrees", material_.name(),
+                   shortest(directions.theta_i[k]), shortest(directions.theta_s[k]), shortest(directions.phi[k]));
+  }
+  return f;
+}
+
+std::vector<std::vector<double>> ExportSource::dhr(std::span<const double> theta_i, Polarization polarization) const {
+  std::vector<std::vector<double>> result;
+  for (const Band& band : material_.bands()) {
+    const Dhr dhr = integrals(engine_, band, material_.switches(), theta_i).dhr;
+    auto& values = result.emplace_back();
+    for (std::size_t k = 0; k < theta_i.size(); ++k) values.push_back(dhr.total(k, polarization));
+  }
+  return result;
+}
+
+std::vector<std::vector<double>> ExportSource::xyz(const std::vector<std::vector<double>>& by_band) const {
+  return weighted(xyz_weights(wavelengths_nm(), choice_.illuminant), by_band);
+}
+
+std::vector<std::vector<double>> ExportSource::rgb(const std::vector<std::vector<double>>& by_band) const {
+  return weighted(rgb_weights(wavelengths_nm(), choice_.illuminant), by_band);
+}
+
+}  // namespace brdftab

@@ -1,0 +1,12 @@
+// The simulators' formats, one row each; each is made in the source file of its name.
+#pragma once
+
+#include <memory>
+
+#include "host/export_format.hpp"
+
+namespace brdftab {
+
+std::unique_ptr<ExportFormat> make_csv_format();
+
+}  // namespace brdftab

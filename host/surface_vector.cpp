@@ -1,0 +1,43 @@
+#include "host/surface_vector.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "host/reference/direction.hpp"
+
+namespace brdftab {
+
+constexpr double degrees_per_radian = 180 / std::numbers::pi;
+
+SurfaceVector SurfaceVector::from_degrees(double theta, double phi) {
+  using reference::cos_degrees, reference::sin_degrees;
+  const auto sine = sin_degrees(theta);
+  return {static_cast<double>(sine * cos_degrees(phi)), static_cast<double>(sine * sin_degrees(phi)),
+          static_cast<double>(cos_degrees(theta))};
+}
+
+double SurfaceVector::theta() const { return std::atan2(std::hypot(x, y), z) * degrees_per_radian; }
+
+double SurfaceVector::phi() const { return x == 0 && y == 0 ? 0 : std::atan2(y, x) * degrees_per_radian; }
+
+SurfaceVector SurfaceVector::normalized() const { return *this * (1 / std::sqrt(dot(*this))); }
+
+void add(Directions& directions, const SurfaceVector& to_light, const SurfaceVector& to_viewer) {
+  directions.add(to_light.theta(), to_viewer.theta(), model_phi(to_light.phi(), to_viewer.phi()));
+}
+
+SurfaceVector to_light(const Directions& directions, std::size_t k) {
+  return SurfaceVector::from_degrees(directions.theta_i[k], incident_azimuth(0));
+}
+
+SurfaceVector to_viewer(const Directions& directions, std::size_t k) {
+  return SurfaceVector::from_degrees(directions.theta_s[k], directions.phi[k]);
+}
+
+Directions exchanged(const Directions& directions) {
+  Directions result = directions;
+  std::swap(result.theta_i, result.theta_s);
+  return result;
+}
+
+}  // namespace brdftab
