@@ -14,6 +14,7 @@ constexpr std::size_t beginning_bytes = 4096;
 
 constexpr std::unique_ptr<ExportFormat> (*format_makers[])() = {
     make_csv_format,
+    make_rgl_format,
 };
 
 }  // namespace

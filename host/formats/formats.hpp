@@ -8,5 +8,6 @@
 namespace brdftab {
 
 std::unique_ptr<ExportFormat> make_csv_format();
+std::unique_ptr<ExportFormat> make_rgl_format();
 
 }  // namespace brdftab
