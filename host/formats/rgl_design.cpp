@@ -35,12 +35,15 @@ double place_of(std::size_t node, std::size_t nodes) { return static_cast<double
 
 /// Pairs of a viewer and the light that a half vector mirrors to it.
 struct MirroredPairs {
+  explicit MirroredPairs(const SurfaceVector& seen_from = {0, 0, 1}) : viewer(seen_from) {}
+
+  SurfaceVector viewer;
   Directions directions;
   std::vector<double> cosine;   // of the viewer and the half vector
   std::vector<double> light_z;  // below 0: the pair stands for its mirror image above the horizon
   std::vector<SquarePoint> place;
 
-  void add(const SurfaceVector& viewer, SquarePoint half_vector_place) {
+  void add(SquarePoint half_vector_place) {
     place.push_back(half_vector_place);
     const SurfaceVector half = RglPlace::direction(half_vector_place);
     cosine.push_back(viewer.dot(half));
@@ -181,9 +184,9 @@ class Designer {
     const std::size_t rows = content_.vndf_rows, columns = content_.vndf_columns;
     content_.vndf.resize(angles() * rows * columns);
     const auto pairs_of = [&](std::size_t i) {
-      MirroredPairs pairs;
+      MirroredPairs pairs(viewer(i));
       for (std::size_t k = 0; k < (rows / 2 + 1) * columns; ++k)
-        pairs.add(viewer(i), {place_of(k % columns, columns), place_of(k / columns, rows)});
+        pairs.add({place_of(k % columns, columns), place_of(k / columns, rows)});
       return pairs;
     };
     for_theta_i(pairs_of, [&](std::size_t i, const MirroredPairs& pairs, const Bands& by_band) {
@@ -201,9 +204,8 @@ class Designer {
     content_.spectra.resize(angles() * content_.channels * n * n);
     const AdaptiveWarp warp = content_.vndf_warp();
     const auto pairs_of = [&](std::size_t i) {
-      MirroredPairs pairs;
-      for (std::size_t k = 0; k < (n + 1) / 2 * n; ++k)
-        pairs.add(viewer(i), warp.sample(i, {place_of(k % n, n), place_of(k / n, n)}).point);
+      MirroredPairs pairs(viewer(i));
+      for (std::size_t k = 0; k < (n + 1) / 2 * n; ++k) pairs.add(warp.sample(i, {place_of(k % n, n), place_of(k / n, n)}).point);
       return pairs;
     };
     for_theta_i(pairs_of, [&](std::size_t i, const MirroredPairs& pairs, const Bands& by_band) {
