@@ -65,6 +65,9 @@ class ExportFormat {
   /// Adds the format's own options, each named --NAME-...; the caller has them in one group of the help.
   virtual void add_options(CLI::App& parser) { static_cast<void>(parser); }
 
+  /// Those of them that a reader needs, where the file does not say.
+  virtual void add_reading_options(CLI::App& parser) { static_cast<void>(parser); }
+
   /// Writes the file, which is renamed by the caller when it is complete. Returns notes for the user, one line each: what had
   /// to be changed, with its number. Throws BadInput where the material or an option does not suit the format.
   virtual std::vector<std::string> write(const std::filesystem::path& file, const ExportSource& source) const = 0;

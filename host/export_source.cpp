@@ -12,13 +12,20 @@
 namespace brdftab {
 namespace {
 
-// Up to here N is integrated at every polar angle; beyond, a spline through as many angles costs less.
-constexpr std::size_t most_integrals = 2000;
+// Up to here N is integrated at every polar angle; beyond, a curve through as many costs less.
+constexpr std::size_t most_integrals = 600;
+// To which N's curve reaches at least.
+constexpr double largest_theta = 89.9999;
 
-std::size_t distinct_angles(const Directions& directions) {
-  std::unordered_set<double> angles(directions.theta_i.begin(), directions.theta_i.end());
-  angles.insert(directions.theta_s.begin(), directions.theta_s.end());
-  return angles.size();
+double polarized(const PolarizedBrdf& f, Polarization polarization) {
+  return polarization == Polarization::s ? f.s : polarization == Polarization::p ? f.p : f.unpolarized();
+}
+
+bool are_few(const std::vector<double>& theta) {
+  std::unordered_set<double> distinct;
+  for (const double angle : theta)
+    if (distinct.insert(angle).second && distinct.size() > most_integrals) return false;
+  return true;
 }
 
 }  // namespace
@@ -34,12 +41,20 @@ std::vector<double> ExportSource::wavelengths_nm() const {
 }
 
 std::vector<std::vector<double>> ExportSource::values(const Directions& directions, Polarization polarization) const {
-  if (distinct_angles(directions) > most_integrals) {
-    auto& sampled = sampled_[static_cast<std::size_t>(polarization)];
-    if (!sampled)
-      sampled = std::make_unique<SampledModel>(engine_, material_, std::vector{polarization}, AngleRange{0, 89.9999},
-                                               AngleRange{0, 89.9999});
-    return sampled->evaluate(directions);
+  const bool reciprocal = material_.switches().normalization == Normalization::reciprocal;
+  if (!are_few(directions.theta_i) || (reciprocal && !are_few(directions.theta_s))) {
+    const double last = std::max(std::ranges::max(directions.theta_i), std::ranges::max(directions.theta_s));
+    if (!sampled_ || last > sampled_to_) {
+      sampled_to_ = std::max(last, largest_theta);
+      sampled_ = std::make_unique<SampledModel>(engine_, material_, std::vector{Polarization::s, Polarization::p},
+                                                AngleRange{0, sampled_to_}, AngleRange{0, sampled_to_});
+    }
+    const auto by_brdf = sampled_->evaluate(directions);
+    std::vector<std::vector<double>> f(bands(), std::vector<double>(directions.size()));
+    for (std::size_t band = 0; band < f.size(); ++band)
+      for (std::size_t k = 0; k < directions.size(); ++k)
+        f[band][k] = polarized({by_brdf[2 * band][k], by_brdf[2 * band + 1][k]}, polarization);
+    return f;
   }
   std::vector<DirectionPair> pairs;
   pairs.reserve(directions.size());
@@ -50,9 +65,7 @@ std::vector<std::vector<double>> ExportSource::values(const Directions& directio
     auto& values = f.emplace_back();
     values.reserve(pairs.size());
     for (const PolarizedBrdf& value : brdftab::evaluate(engine_, band, material_.switches(), pairs))
-      values.push_back(polarization == Polarization::s   ? value.s
-                       : polarization == Polarization::p ? value.p
-                                                         : value.unpolarized());
+      values.push_back(polarized(value, polarization));
   }
   return f;
 }

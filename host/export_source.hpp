@@ -35,7 +35,7 @@ class ExportSource {
   /// Of the bands; empty where the material has none.
   std::vector<double> wavelengths_nm() const;
 
-  /// f in 1/sr, [band][direction], to a relative error of 1e-12 (float32 arithmetic: 1e-5). Directions are the model's;
+  /// f in 1/sr, [band][direction], to a relative error of 1e-11 (float32 arithmetic: 1e-5). Directions are the model's;
   /// surface_vector.hpp has them from vectors. Throws BadInput, which names the direction, where f is not finite.
   std::vector<std::vector<double>> evaluate(const Directions& directions,
                                             Polarization polarization = Polarization::unpolarized) const;
@@ -54,7 +54,8 @@ class ExportSource {
   const Engine& engine_;
   Material material_;
   ExportChoice choice_;
-  mutable std::array<std::unique_ptr<SampledModel>, 3> sampled_;  // by polarisation
+  mutable double sampled_to_ = 0;                  // degrees
+  mutable std::unique_ptr<SampledModel> sampled_;  // once many directions are asked for
 };
 
 }  // namespace brdftab

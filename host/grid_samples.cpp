@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "host/error.hpp"
+#include "host/surface_vector.hpp"
 
 namespace brdftab {
 namespace {
@@ -42,6 +44,18 @@ Directions directions_of(const Grid& grid) {
       for (const double theta_s : grid.theta_s.nodes())
         for (const double phi_s : grid.phi_s.nodes()) directions.add(theta_i, theta_s, phi_s - phi_i);
   return directions;
+}
+
+std::vector<double> azimuths_away_from_surface(const Grid& grid) {
+  if (grid.phi_i.size() > 1)
+    throw BadInput("phi_i has {} nodes: f depends on phi_s - phi_i only, and the file holds that; it takes one phi_i",
+                   grid.phi_i.size());
+  std::set<double> azimuths{0, 360};
+  for (const double phi_s : grid.phi_s.nodes()) {
+    const double phi = std::fmod(phi_s - incident_azimuth(grid.phi_i[0]), 360);
+    azimuths.insert(phi < 0 ? phi + 360 : phi);
+  }
+  return {azimuths.begin(), azimuths.end()};
 }
 
 GridSamples::GridSamples(std::array<std::vector<double>, 4> axes, std::vector<std::vector<double>> values)

@@ -13,6 +13,10 @@ namespace brdftab {
 /// Every node of a grid as a pair of directions, [theta_i][phi_i][theta_s][phi_s].
 Directions directions_of(const Grid& grid);
 
+/// phi_s - phi_i between vectors that point away from the surface, of a grid with one phi_i: from 0 to 360 degrees, both
+/// included, with 180 the specular direction. Throws BadInput where there are several phi_i: f depends on the difference only.
+std::vector<double> azimuths_away_from_surface(const Grid& grid);
+
 class GridSamples {
  public:
   /// Axes in degrees, increasing, with the model's azimuths; `values` [channel][theta_i][phi_i][theta_s][phi_s].

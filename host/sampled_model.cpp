@@ -4,12 +4,10 @@
 #include <cmath>
 
 #include "host/interrupt.hpp"
-#include "host/normalizations.hpp"
 
 namespace brdftab {
 namespace {
 
-constexpr std::size_t spline_angles = 401;
 constexpr std::size_t peak_angles = 201;
 constexpr std::size_t at_once = 1 << 18;
 
@@ -21,29 +19,18 @@ SampledModel::SampledModel(const Engine& engine, const Material& material, const
       polarizations_(polarizations),
       theta_i_(theta_i),
       theta_s_(theta_s),
-      last_(std::max({theta_i.last, theta_s.last, 1.0})) {
-  std::vector<double> theta;
-  for (std::size_t k = 0; k < spline_angles; ++k)
-    theta.push_back(angle(static_cast<double>(k) / static_cast<double>(spline_angles - 1)));
-  const double step = 1.0 / static_cast<double>(spline_angles - 1);
-  for (const Band& band : material.bands()) {
-    const Normalizations n = normalizations(engine, band, material.switches(), theta);
-    std::array<Spline, 3> log_n;
-    for (std::size_t lobe = 0; lobe < 3; ++lobe) {
-      std::vector<double> logarithms;
-      for (const double value : n.value[lobe]) logarithms.push_back(std::log(value));
-      log_n[lobe] = Spline(logarithms.begin(), logarithms.end(), 0, step);
-    }
-    bands_.push_back({KernelMaterial(band.parameters, material.switches(), engine.working()), log_n});
-  }
-  find_peaks();
+      last_(std::max({theta_i.last, theta_s.last, 1.0})),
+      reciprocal_(material.switches().normalization == Normalization::reciprocal) {
+  for (const Band& band : material.bands())
+    bands_.push_back({KernelMaterial(band.parameters, material.switches(), engine.working()),
+                      NormalizationCurve(engine, band, material.switches(), last_)});
 }
 
 double SampledModel::place(double theta) const { return 1 - std::sqrt(std::max(1 - theta / last_, 0.0)); }
 
 double SampledModel::angle(double place) const { return std::min(last_ * place * (2 - place), last_); }
 
-void SampledModel::find_peaks() {
+void SampledModel::find_peaks() const {
   // In the planes where lobes lie and between; the forward peak itself, at theta_s = theta_i, is among them.
   Directions directions;
   std::vector<double> azimuths{0, 15, 45, 90, 135, 165, 180};
@@ -67,7 +54,10 @@ void SampledModel::find_peaks() {
   }
 }
 
-double SampledModel::peak(std::size_t brdf, double theta_i) const { return std::exp(log_peak_[brdf](place(theta_i))); }
+double SampledModel::peak(std::size_t brdf, double theta_i) const {
+  if (log_peak_.empty()) find_peaks();
+  return std::exp(log_peak_[brdf](place(theta_i)));
+}
 
 std::vector<std::vector<double>> SampledModel::evaluate(const Directions& directions) const {
   std::vector<std::vector<double>> f(brdfs(), std::vector<double>(directions.size()));
@@ -87,26 +77,30 @@ void SampledModel::evaluate_part(const Directions& directions, std::size_t begin
     return values;
   };
   const auto theta_i = part(directions.theta_i), theta_s = part(directions.theta_s), phi = part(directions.phi);
-  // N of each direction of incidence, then of each of scatter.
+  // N of each direction of incidence, then, where it counts, of each of scatter.
   std::vector<int> incidence(padded), scatter(padded);
+  const int first_scatter = reciprocal_ ? static_cast<int>(padded) : 0;
   for (std::size_t k = 0; k < padded; ++k) {
     incidence[k] = static_cast<int>(k);
-    scatter[k] = static_cast<int>(padded + k);
+    scatter[k] = first_scatter + static_cast<int>(k);
   }
+  std::vector<NormalizationCurve::Stencil> stencils;
+  stencils.reserve(2 * padded);
+  for (const double theta : theta_i) stencils.push_back(NormalizationCurve::stencil(theta));
+  if (reciprocal_)
+    for (const double theta : theta_s) stencils.push_back(NormalizationCurve::stencil(theta));
   const std::size_t bytes = padded * bytes_of(engine_.working());
   const cl::Buffer f_s = engine_.buffer(bytes), f_p = engine_.buffer(bytes);
   const std::array angles{engine_.upload_polar_angles(theta_i), engine_.upload_polar_angles(theta_s), engine_.upload(phi)};
   const std::array index{engine_.upload(std::span<const int>(incidence)), engine_.upload(std::span<const int>(scatter))};
-  std::vector<double> n(6 * padded);
+  const std::size_t angles_of_n = stencils.size();
+  std::vector<double> n(3 * angles_of_n);
   for (std::size_t band = 0; band < bands_.size(); ++band) {
     for (std::size_t lobe = 0; lobe < 3; ++lobe)
-      for (std::size_t k = 0; k < padded; ++k) {
-        n[lobe * 2 * padded + k] = std::exp(bands_[band].log_n[lobe](place(theta_i[k])));
-        n[lobe * 2 * padded + padded + k] = std::exp(bands_[band].log_n[lobe](place(theta_s[k])));
-      }
+      for (std::size_t k = 0; k < angles_of_n; ++k) n[lobe * angles_of_n + k] = bands_[band].n(lobe, stencils[k]);
     const cl::Buffer normalization = engine_.upload(n);
     cl::Kernel kernel = engine_.directions_kernel("evaluate");
-    set_arguments(kernel, angles[0], angles[1], angles[2], index[0], index[1], normalization, static_cast<cl_int>(2 * padded),
+    set_arguments(kernel, angles[0], angles[1], angles[2], index[0], index[1], normalization, static_cast<cl_int>(angles_of_n),
                   f_s, f_p);
     bands_[band].kernel.set(kernel, 9);
     engine_.run_directions(kernel, padded);

@@ -1,4 +1,5 @@
-// f at very many directions, for choosing grids: N, which is costly, comes from a spline over the polar angle.
+// f at very many directions, for choosing grids and for formats with many: N, which is costly, comes
+// from a curve over the polar angle.
 #pragma once
 
 #include <array>
@@ -7,6 +8,7 @@
 
 #include "host/engine.hpp"
 #include "host/material.hpp"
+#include "host/normalization_curve.hpp"
 #include "host/polarization.hpp"
 
 namespace brdftab {
@@ -40,7 +42,7 @@ class SampledModel {
   /// f in 1/sr, [brdf][direction].
   std::vector<std::vector<double>> evaluate(const Directions& directions) const;
 
-  /// The largest f over the directions of scatter at a theta_i.
+  /// The largest f over the directions of scatter at a theta_i; the first call looks for them.
   double peak(std::size_t brdf, double theta_i) const;
 
  private:
@@ -51,11 +53,11 @@ class SampledModel {
   double angle(double place) const;
   void evaluate_part(const Directions& directions, std::size_t begin, std::size_t count,
                      std::vector<std::vector<double>>& f) const;
-  void find_peaks();
+  void find_peaks() const;
 
   struct OneBand {
     KernelMaterial kernel;
-    std::array<Spline, 3> log_n;
+    NormalizationCurve n;
   };
 
   const Engine& engine_;
@@ -63,7 +65,8 @@ class SampledModel {
   AngleRange theta_i_, theta_s_;
   double last_;
   std::vector<OneBand> bands_;
-  std::vector<Spline> log_peak_;  // of each brdf
+  bool reciprocal_;                       // N at theta_s counts, too
+  mutable std::vector<Spline> log_peak_;  // of each brdf
 };
 
 }  // namespace brdftab

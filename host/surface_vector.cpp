@@ -34,6 +34,19 @@ SurfaceVector to_viewer(const Directions& directions, std::size_t k) {
   return SurfaceVector::from_degrees(directions.theta_s[k], directions.phi[k]);
 }
 
+SurfaceVector about_specular(double theta_i, double radial, double azimuth) {
+  const SurfaceVector i = SurfaceVector::from_degrees(theta_i, 0);  // sine and cosine of theta_i
+  const SurfaceVector local = SurfaceVector::from_degrees(radial, azimuth);
+  return {local.z * i.x - local.x * i.z, local.y, local.z * i.z + local.x * i.x};
+}
+
+std::pair<double, double> specular_angles(double theta_i, const SurfaceVector& to_viewer) {
+  const SurfaceVector i = SurfaceVector::from_degrees(theta_i, 0);
+  const SurfaceVector local{to_viewer.z * i.x - to_viewer.x * i.z, to_viewer.y, to_viewer.z * i.z + to_viewer.x * i.x};
+  const double azimuth = local.phi();
+  return {local.theta(), azimuth < 0 ? azimuth + 360 : azimuth};
+}
+
 Directions exchanged(const Directions& directions) {
   Directions result = directions;
   std::swap(result.theta_i, result.theta_s);

@@ -2,6 +2,8 @@
 // one place where the two conventions meet.
 #pragma once
 
+#include <utility>
+
 #include "host/sampled_model.hpp"
 
 namespace brdftab {
@@ -37,6 +39,12 @@ void add(Directions& directions, const SurfaceVector& to_light, const SurfaceVec
 /// The vectors of a pair; the light travels towards azimuth 0, so its vector lies at azimuth 180 degrees.
 SurfaceVector to_light(const Directions& directions, std::size_t k);
 SurfaceVector to_viewer(const Directions& directions, std::size_t k);
+
+/// To the viewer at `radial` degrees from the specular direction of light that travels towards azimuth 0; azimuth 0 about the
+/// specular direction points to the normal.
+SurfaceVector about_specular(double theta_i, double radial, double azimuth);
+/// The radial angle and the azimuth in [0, 360) of such a vector, degrees.
+std::pair<double, double> specular_angles(double theta_i, const SurfaceVector& to_viewer);
 
 /// Every pair with light and viewer exchanged. f of a reciprocal surface is the same.
 Directions exchanged(const Directions& directions);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "host/export_errors.hpp"
 #include "host/numbers.hpp"
 #include "host/partial_file.hpp"
 
@@ -60,12 +61,14 @@ void ExportOption::write(const Engine& engine, const ExportFormat& format, const
   PartialFile file(output.target, force);
   const auto notes = format.write(file.path(), source);
   const auto table = format.read(file.path());
+  const std::string consumer = common.quiet ? "" : summary(export_errors(*table, source), format, *table);
   const auto bytes = std::filesystem::file_size(file.path());
   file.commit();
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   say(common, fmt::format("{}: {}, {:.3g} MB in {:.2f} s", output.target.string(), format.traits().name,
                           static_cast<double>(bytes) / 1e6, seconds.count()));
   for (const auto& note : notes) say(common, note);
+  say(common, consumer);
 }
 
 }  // namespace brdftab

@@ -22,6 +22,8 @@ fs::path file_in_folder(const fs::path& folder, const std::string& material, std
   return folder / (name + std::string(suffix));
 }
 
+}  // namespace
+
 Material read_material(const std::string& input) {
   if (!is_table(input)) return Material::read(input);
   const auto reader = open_table(input);
@@ -30,8 +32,6 @@ Material read_material(const std::string& input) {
   if (!found) throw BadInput("{}: has no attribute material: it is no table of this program", input);
   return Material::parse(*found, fmt::format("{}, attribute material", input));
 }
-
-}  // namespace
 
 bool names_folder(const std::vector<std::string>& materials, const std::string& output) {
   std::error_code error;

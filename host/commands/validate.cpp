@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "host/commands/command.hpp"
+#include "host/commands/validate_export.hpp"
 #include "host/numbers.hpp"
 
 namespace brdftab {
@@ -11,6 +12,8 @@ namespace {
 struct Options {
   std::string table;
   ValidateOptions validate;
+  std::optional<std::size_t> samples;
+  ExportValidation exported;
   std::optional<std::string> device;
   bool json = false;
 };
@@ -136,11 +139,19 @@ void print_text(const std::string& file, const StoredTable& table, const Validat
 }
 
 ExitStatus run(const Options& options) {
+  if (const ExportFormat* format = options.exported.format_of(options.table))
+    return options.exported.run(*format, {.file = options.table,
+                                          .directions = options.samples,
+                                          .tolerance = options.validate.tolerance,
+                                          .device = options.device,
+                                          .json = options.json});
+  ValidateOptions selection = options.validate;
+  if (options.samples) selection.nodes.random = *options.samples;
   const auto reader = open_table(options.table);
   const StoredTable table = rebuild(reader->info(), options.table);
   const Device device = select_device(options.device);
   const Engine engine(device, Engine::widest(device), table.precision);
-  const Validation found = validate(engine, *reader, table, options.validate);
+  const Validation found = validate(engine, *reader, table, selection);
   if (options.json)
     fmt::print("{}\n", as_json(options.table, table, found).dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
   else
@@ -155,18 +166,25 @@ ExitStatus run(const Options& options) {
 std::function<ExitStatus()> validate_command(CLI::App& parser, const CommonOptions&) {
   auto options = std::make_shared<Options>();
   auto& nodes = options->validate.nodes;
-  parser.add_option("TABLE", options->table, "Table file, or the folder of an OpenEXR table in files")->required();
-  parser.add_option("--samples", nodes.random, "Random nodes, by a fixed seed, for the scalar reference; default 2000");
+  parser.add_option("TABLE", options->table, "Table file, the folder of an OpenEXR table in files, or a file for a simulator")
+      ->required();
+  parser
+      .add_option(
+          "--samples", options->samples,
+          "Random nodes, by a fixed seed, for the scalar reference; default 2000. Of a simulator's file: random directions "
+          "at which its consumer's interpolation is compared with the model; default 10000")
+      ->check(CLI::Range(std::size_t{0}, std::size_t{10'000'000}));
   parser.add_option("--every", nodes.every_row, "Every n-th row of phi_s for the scalar reference; default: about 64 rows")
       ->check(CLI::PositiveNumber);
   parser.add_flag("--all", nodes.all, "Every node, N and DHR against the scalar reference, too");
   parser
       .add_option("--tolerance", options->validate.tolerance,
                   "Largest relative error allowed; default: what the table promises (1e-6 in float32, 1e-12 in float64, and the "
-                  "error of rounding that its attributes tell of)")
+                  "error of rounding that its attributes tell of); of a simulator's file: at 95 % of directions; 1")
       ->check(CLI::PositiveNumber);
   parser.add_flag("--json", options->json, "As JSON");
   add_device_option(parser, options->device);
+  options->exported.add(parser);
   return [options] { return run(*options); };
 }
 

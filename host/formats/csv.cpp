@@ -30,7 +30,7 @@ class CsvTable : public ExportedTable {
   }
   std::vector<double> wavelengths_nm() const override { return description_.wavelengths_nm; }
   std::string material_text() const override { return description_.material_text; }
-  std::string interpolation() const override { return "linear between nodes"; }
+  std::string interpolation() const override { return "linear interpolation between nodes"; }
   double largest_theta_i() const override { return bands_.front().axis(AxisKind::theta_i).back(); }
   double largest_theta_s() const override { return bands_.front().axis(AxisKind::theta_s).back(); }
 

@@ -1,0 +1,37 @@
+// `validate` for files of simulators' formats.
+#pragma once
+
+#include "host/commands/command.hpp"
+#include "host/export_format.hpp"
+
+namespace brdftab {
+
+class ExportValidation {
+ public:
+  ExportValidation() : formats_(export_formats()) {}
+
+  void add(CLI::App& parser);
+
+  /// The format of a file that is one of theirs; null: it is none.
+  const ExportFormat* format_of(const std::string& file) const { return recognised_format(formats_, file); }
+
+  struct Request {
+    std::string file;
+    std::optional<std::size_t> directions;
+    std::optional<double> tolerance;
+    std::optional<std::string> device;
+    bool json = false;
+  };
+  /// Reports the error of the consumer's own interpolation. Throws Error (exit status 1) where it is above the tolerance.
+  ExitStatus run(const ExportFormat& format, const Request& request) const;
+
+ private:
+  ExportSource source(const Engine& engine, const ExportedTable& table, const Request& request) const;
+
+  ExportFormats formats_;
+  std::optional<std::string> material_;
+  std::optional<double> wavelength_nm_;
+  std::optional<std::string> illuminant_;
+};
+
+}  // namespace brdftab

@@ -1,0 +1,43 @@
+// What a consumer gets from a simulator's file, against the model: the error of its own interpolation at random directions,
+// and what the format cannot hold, in numbers.
+#pragma once
+
+#include <string>
+
+#include "host/export_format.hpp"
+
+namespace brdftab {
+
+/// Below this, 1/sr, errors are no longer relative to f: a surface so dark reflects 3e-4.
+inline constexpr double error_floor = 1e-4;
+
+/// |f_consumer - f| / max(f, error_floor) over directions and channels.
+struct ConsumerError {
+  std::size_t values = 0;
+  double median = 0;
+  double percentile_95 = 0;
+  double maximum = 0;
+  // Of the maximum: degrees, 1/sr.
+  double theta_i = 0, theta_s = 0, phi = 0;
+  std::size_t channel = 0;
+  double consumer = 0;
+  double model = 0;
+};
+
+struct ExportErrors {
+  /// At pairs of directions uniform in solid angle, up to the file's largest angles.
+  ConsumerError uniform;
+  /// Within 0.001 to 30 degrees of the mirror direction and of the retro-reflected one.
+  ConsumerError near_peaks;
+  /// Of the model, at the uniform directions.
+  double reciprocity_median = 0, reciprocity_maximum = 0;    // |ln f(i, s)/f(s, i)|, each at least error_floor
+  double polarization_median = 0, polarization_maximum = 0;  // |f_s - f_p| / (f_s + f_p)
+};
+
+/// `directions` of each kind, by a fixed seed. Throws BadInput where the file's channels are not the source's.
+ExportErrors export_errors(const ExportedTable& table, const ExportSource& source, std::size_t directions = 10'000);
+
+/// The same in one line, with what the format loses.
+std::string summary(const ExportErrors& errors, const ExportFormat& format, const ExportedTable& table);
+
+}  // namespace brdftab
