@@ -40,7 +40,7 @@ class RglTable : public ExportedTable {
   std::vector<double> wavelengths_nm() const override { return description_.wavelengths_nm; }
   std::string material_text() const override { return description_.material_text; }
   std::string interpolation() const override {
-    return "linear in theta_i and wavelength, bilinear over half vectors as the file's density warps them";
+    return "interpolation linear in theta_i and wavelength, bilinear over half vectors warped by the density in the file";
   }
   double largest_theta_s() const override { return content_.theta_i.back() / radians; }
 
