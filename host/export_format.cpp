@@ -16,6 +16,7 @@ constexpr std::unique_ptr<ExportFormat> (*format_makers[])() = {
     make_astm_format,   //
     make_csv_format,    //
     make_merl_format,   //
+    make_rgl_format,    //
     make_ssdd_format,   //
     make_zemax_format,  //
 };
