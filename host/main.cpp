@@ -55,17 +55,22 @@ std::string joined(int argc, char** argv) {
   return line;
 }
 
+void add_quiet(CLI::App& parser, CommonOptions& common) {
+  parser.add_flag("-q,--quiet", common.quiet, "No talk on standard error but errors");
+}
+
 int run(int argc, char** argv) {
   CLI::App app{"brdftab: tables of the Renhorn-Boreman BRDF of rough surfaces, computed with OpenCL", "brdftab"};
   CommonOptions common;
   common.command_line = joined(argc, argv);
   app.set_version_flag("--version", program_source);
   app.require_subcommand(1);
+  add_quiet(app, common);
   std::function<ExitStatus()> chosen;
   for (const auto& row : command_table) {
     CLI::App* parser = app.add_subcommand(row.name, row.summary);
     parser->set_version_flag("--version", program_source);
-    parser->add_flag("-q,--quiet", common.quiet, "No talk on standard error but errors");
+    add_quiet(*parser, common);
     parser->callback([&chosen, run_command = row.command(*parser, common)] { chosen = run_command; });
   }
   if (argc > 1 && argv[1][0] != '-' && std::none_of(std::begin(command_table), std::end(command_table), [&](const auto& row) {

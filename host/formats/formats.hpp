@@ -14,6 +14,7 @@ std::unique_ptr<ExportFormat> make_eradiate_format();
 std::unique_ptr<ExportFormat> make_merl_format();
 std::unique_ptr<ExportFormat> make_openmaterial_format();
 std::unique_ptr<ExportFormat> make_radiance_format();
+std::unique_ptr<ExportFormat> make_rgl_format();
 std::unique_ptr<ExportFormat> make_ssdd_format();
 std::unique_ptr<ExportFormat> make_zemax_format();
 
