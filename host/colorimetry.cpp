@@ -48,9 +48,8 @@ ChannelWeights transformed(const Eigen::Matrix3d& matrix, const ChannelWeights& 
   return result;
 }
 
-}  // namespace
-
-ChannelWeights xyz_weights(const std::vector<double>& wavelengths_nm, Illuminant illuminant) {
+// Y of the perfect white is 1.
+ChannelWeights tristimulus_weights(const std::vector<double>& wavelengths_nm, Illuminant illuminant) {
   const std::vector<double> bands = wavelengths_nm.empty() ? std::vector<double>{550} : wavelengths_nm;
   ChannelWeights weights;
   double white = 0;
@@ -68,18 +67,28 @@ ChannelWeights xyz_weights(const std::vector<double>& wavelengths_nm, Illuminant
   return weights;
 }
 
-ChannelWeights rgb_weights(const std::vector<double>& wavelengths_nm, Illuminant illuminant) {
-  const ChannelWeights white = xyz_weights({}, illuminant);
-  const Eigen::Vector3d seen(white[0][0], white[1][0], white[2][0]);
-  const Eigen::Vector3d srgb_white = from_xy(0.3127, 0.3290);
-  ChannelWeights weights =
-      transformed(xyz_from_rgb(srgb_white).inverse() * adaptation(seen, srgb_white), xyz_weights(wavelengths_nm, illuminant));
-  // They add up to 1 but for rounding; grey is to be exact.
+// The weights of a channel add up to its value for white.
+ChannelWeights relative_to_white(ChannelWeights weights) {
   for (auto& channel : weights) {
     const double sum = std::accumulate(channel.begin(), channel.end(), 0.);
     for (double& weight : channel) weight /= sum;
   }
   return weights;
+}
+
+}  // namespace
+
+ChannelWeights xyz_weights(const std::vector<double>& wavelengths_nm, Illuminant illuminant) {
+  return relative_to_white(tristimulus_weights(wavelengths_nm, illuminant));
+}
+
+ChannelWeights rgb_weights(const std::vector<double>& wavelengths_nm, Illuminant illuminant) {
+  const ChannelWeights white = tristimulus_weights({}, illuminant);
+  const Eigen::Vector3d seen(white[0][0], white[1][0], white[2][0]);
+  const Eigen::Vector3d srgb_white = from_xy(0.3127, 0.3290);
+  // White has three ones but for rounding; grey is to be exact.
+  return relative_to_white(transformed(xyz_from_rgb(srgb_white).inverse() * adaptation(seen, srgb_white),
+                                       tristimulus_weights(wavelengths_nm, illuminant)));
 }
 
 std::string_view rgb_convention(Illuminant illuminant) {

@@ -20,7 +20,8 @@ constexpr std::string_view name_of(Illuminant illuminant) { return illuminant_na
 using ChannelWeights = std::array<std::vector<double>, 3>;
 
 /// X, Y and Z from bands at these wavelengths, nm, that increase; f between bands is linear in the wavelength, and constant
-/// beyond them. Y of the perfect white is 1. No wavelength: one band, grey. Sums over 380:780:5 nm.
+/// beyond them. Each is relative to that of the perfect white, so that f constant over wavelengths gives X = Y = Z = f under
+/// either illuminant, and Y is the luminous reflectance. No wavelength: one band, grey. Sums over 380:780:5 nm.
 ChannelWeights xyz_weights(const std::vector<double>& wavelengths_nm, Illuminant illuminant);
 
 /// Linear sRGB in the same way. The illuminant's white is brought to that of sRGB by Bradford adaptation, so that f constant

@@ -24,7 +24,7 @@ std::vector<std::string> description_lines(const ExportSource& source, ExportCha
   if (channels == ExportChannels::rgb) lines.emplace_back(rgb_convention(source.illuminant()));
   if (channels == ExportChannels::xyz)
     lines.emplace_back(
-        "X, Y, Z of the CIE 1931 2-degree observer, Y of the perfect white 1; f linear between bands, constant beyond");
+        "X, Y, Z of the CIE 1931 2-degree observer, each relative to the white's; f linear between bands, constant beyond");
   if (channels != ExportChannels::bands) lines.push_back(fmt::format("{} {}", illuminant_mark, name_of(source.illuminant())));
   if (const auto wavelengths = source.wavelengths_nm(); !wavelengths.empty()) {
     std::string line(wavelengths_mark);

@@ -15,8 +15,8 @@ namespace brdftab {
 namespace {
 
 constexpr double invalid = -1;
-// Nearer to the horizon than this a node is on it but for rounding.
-constexpr double largest_theta = 89.9999;
+// Nearer to the horizon than 1e-4 degrees a node is on it but for rounding.
+constexpr double least_cosine = 1.7453e-6;
 
 // Where cell 0 has its value: at its centre, for readers that look cells up, or at its lower corner, for libbsdf.
 enum class Registration { center, node };
@@ -30,11 +30,9 @@ struct HalfDifference {
   double theta_h, theta_d, phi_d;  // degrees, phi_d in (-180, 180]
 };
 
-// To the light and to the viewer, for a half-way vector at azimuth 0. The frame about it: x' lies in its plane, away from the
-// normal's side, y' is y.
-std::pair<SurfaceVector, SurfaceVector> vectors(const HalfDifference& angles) {
-  const SurfaceVector h = SurfaceVector::from_degrees(angles.theta_h, 0);
-  const SurfaceVector d = SurfaceVector::from_degrees(angles.theta_d, angles.phi_d);
+// To the light and to the viewer, from the half-way vector, at azimuth 0, and the difference vector in the frame about it: x'
+// lies in its plane, away from the normal's side, y' is y.
+std::pair<SurfaceVector, SurfaceVector> vectors(const SurfaceVector& h, const SurfaceVector& d) {
   const SurfaceVector across{d.x * h.z, d.y, -d.x * h.x};
   return {h * d.z + across, h * d.z + across * -1};
 }
@@ -126,14 +124,18 @@ class MerlFormat : public ExportFormat {
     Directions directions;
     std::vector<std::size_t> row;  // of each half turn among the valid ones
     constexpr std::size_t none = static_cast<std::size_t>(-1);
-    for (int h = 0; h < MerlFile::cells_h; ++h)
-      for (int d = 0; d < MerlFile::cells_d; ++d)
-        for (int phi = 0; phi < phis; ++phi) {
-          const auto [light, viewer] = vectors({theta_h(h, registration()), d + offset, phi + offset});
-          const bool valid = light.theta() < largest_theta && viewer.theta() < largest_theta;
-          row.push_back(valid ? directions.size() : none);
-          if (valid) add(directions, light, viewer);
-        }
+    std::vector<SurfaceVector> differences;
+    for (int d = 0; d < MerlFile::cells_d; ++d)
+      for (int phi = 0; phi < phis; ++phi) differences.push_back(SurfaceVector::from_degrees(d + offset, phi + offset));
+    for (int h = 0; h < MerlFile::cells_h; ++h) {
+      const SurfaceVector half = SurfaceVector::from_degrees(theta_h(h, registration()), 0);
+      for (const SurfaceVector& difference : differences) {
+        const auto [light, viewer] = vectors(half, difference);
+        const bool valid = std::min(light.z, viewer.z) > least_cosine;
+        row.push_back(valid ? directions.size() : none);
+        if (valid) add(directions, light, viewer);
+      }
+    }
     const auto rgb = source.rgb(source.evaluate(directions));
     MerlFile merl;
     std::size_t below_zero = 0;
