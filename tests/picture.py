@@ -13,9 +13,10 @@ SVG = "{http://www.w3.org/2000/svg}"
 
 
 class Picture:
-    def __init__(self, path):
+    def __init__(self, path, data=True):
         self.root = xml.etree.ElementTree.parse(path).getroot()
-        self.data = json.loads(self.root.find(f"{SVG}metadata").text)
+        if data:
+            self.data = json.loads(self.root.find(f"{SVG}metadata").text)
 
     def texts(self):
         return ["".join(element.itertext()) for element in self.root.iter(f"{SVG}text")]

@@ -126,6 +126,9 @@ class Curves(Drawing):
         dots = {s["label"]: sorted(zip(s["x"], s["y"])) for s in series if s["marks"] == "dots"}
         self.assertEqual(dots, {"25°": [(-30, 0.05), (40, 0.06)], "55°": [(-10, 0.07)]})
         self.assertEqual([s["label"] for s in series if s["marks"] == "line"], ["25°", "55°"])
+        picture = self.picture(VINYL, "--data", data, "--scale", "2", "--theta-i", "25")
+        dots = [s for s in picture.data["panels"][0]["series"] if s["marks"] == "dots"]
+        self.assertEqual([sorted(s["y"]) for s in dots], [[0.1, 0.12]])
 
     def test_shadowing(self):
         picture = self.picture(VINYL, "--kind", "shadowing")
@@ -249,6 +252,8 @@ class Files(Drawing):
         banded = self.folder / "bands.toml"
         banded.write_text(VINYL.read_text() + BANDS)
         table = self.table(VINYL, "--polarization", "s")
+        data = self.folder / "data.csv"
+        data.write_text("theta_i_deg,theta_s_deg,phi_deg,brdf_per_sr\n25,-30,0,0.05\n")
         for arguments, parts in (
                 ([VINYL, "-o", self.folder / "a.pdf"], ["a.pdf", ".svg or .png"]),
                 ([VINYL, "-o", out, "--kind", "pie"], ["--kind"]),
@@ -256,12 +261,15 @@ class Files(Drawing):
                 ([VINYL, "-o", out, "--theta-i", "95"], ["--theta-i", "95"]),
                 ([VINYL, "-o", out, "--kind", "compare"], ["takes two"]),
                 ([VINYL, "-o", out, "--kind", "dhr", "--theta-i", "5"], ["--theta-i"]),
+                ([VINYL, "-o", out, "--kind", "shadowing", "--polarization", "s"], ["--polarization"]),
+                ([VINYL, "-o", out, "--kind", "lobes", "--data", data], ["--data"]),
                 ([VINYL, "-o", out, "--wavelength", "450"], ["no bands"]),
                 ([banded, "-o", out, "--wavelength", "500"], ["450, 650"]),
                 ([table, "-o", out, "--polarization", "p"], ["--polarization p", table]),
                 ([table, "-o", out, "--theta-i", "33"], ["--theta-i 33", "nearest is 35"]),
                 ([VINYL, "-o", out, "--width", "900"], ["--width"]),
-                ([VINYL, "-o", out, "--channel", "550"], ["--channel"])):
+                ([VINYL, "-o", out, "--channel", "550"], ["--channel"]),
+                ([VINYL, "-o", out, "--scale", "2"], ["--scale"])):
             with self.subTest(arguments):
                 self.assert_refused(run("plot", *arguments), BAD_INPUT, *parts)
         self.assert_refused(run("plot", self.folder / "none.h5", "-o", out), FILE, "none.h5")

@@ -69,6 +69,14 @@ class Content(Pages):
             lines = numpy.searchsorted(file["theta_s"][:], axes["theta_s"])
             numpy.testing.assert_array_equal(samples[0], file["brdf"][:, 0][numpy.ix_(rows, lines, columns)])
 
+    def test_material_with_a_large_grid(self):
+        material = self.folder / "fine.toml"
+        material.write_text(VINYL.read_text() + '\n[grid]\ntheta_i = "0:80:2"\nphi_s = "0:360:0.25"\n')
+        page = self.report(material)
+        _, samples = self.embedded(page)
+        self.assertLessEqual(samples.size, 1 << 20)
+        self.assertIn(f"at {samples.size} of the {41 * 90 * 1441} directions", page.read_text())
+
     def test_exr_and_gaps(self):
         self.assertIn('id="samples"', self.report(self.table(VINYL, *SMALL_GRID, name="table.exr")).read_text())
         text = self.report(self.table(VINYL, "--phi-s", "0,180")).read_text()

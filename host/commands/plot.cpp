@@ -20,6 +20,7 @@ struct Options {
   std::optional<double> wavelength_nm;
   std::string data;
   std::string channel;
+  MeasurementOptions measurement;
   int width = 0;
   std::optional<std::string> device;
   bool force = false;
@@ -29,8 +30,8 @@ const PlotRow& row_of(const std::string& kind) {
   return *std::find_if(std::begin(plot_table), std::end(plot_table), [&](const auto& row) { return row.name == kind; });
 }
 
-Measurement read_data(const std::string& file, const std::string& channel) {
-  const Measurement all = read_measurement(file);
+Measurement read_data(const std::string& file, const std::string& channel, const MeasurementOptions& options) {
+  const Measurement all = read_measurement(file, options);
   if (channel.empty() && all.channels.size() == 1) return all;
   const auto at = std::find(all.channels.begin(), all.channels.end(), channel);
   if (at == all.channels.end())
@@ -51,7 +52,12 @@ ExitStatus run(const Options& options, const CommonOptions& common) {
                          : options.polarization == "p" ? Polarization::p
                                                        : Polarization::unpolarized;
   drawn.wavelength_nm = options.wavelength_nm;
-  if (!options.channel.empty() && options.data.empty()) throw BadInput("--channel: is of --data, which is not given");
+  const std::pair<const char*, bool> of_data[] = {{"--channel", !options.channel.empty()},
+                                                  {"--format", !options.measurement.format.empty()},
+                                                  {"--scale", options.measurement.scale != 1},
+                                                  {"--flip-azimuth", options.measurement.flip_azimuth}};
+  for (const auto& [option, given] : of_data)
+    if (given && options.data.empty()) throw BadInput("{}: is of --data, which is not given", option);
   std::vector<Subject> subjects;
   for (const auto& subject : options.subjects) subjects.push_back(Subject::open(subject));
   for (const Subject& subject : subjects) {
@@ -65,7 +71,7 @@ ExitStatus run(const Options& options, const CommonOptions& common) {
       for (const auto& fault : subject.table().faults) say(common, fmt::format("{}: warning: {}", subject.file(), fault));
   }
   if (!options.data.empty()) {
-    drawn.data = read_data(options.data, options.channel);
+    drawn.data = read_data(options.data, options.channel, options.measurement);
     for (const auto& warning : drawn.data->warnings) say(common, fmt::format("{}: warning: {}", options.data, warning));
   }
   std::optional<Engine> engine;
@@ -99,6 +105,11 @@ std::function<ExitStatus()> plot_command(CLI::App& parser, const CommonOptions& 
   parser.add_option("--wavelength", options->wavelength_nm, "Band of a material with bands, nm");
   parser.add_option("--data", options->data, "Measured BRDF, drawn as points in the plane of incidence; read as by fit");
   parser.add_option("--channel", options->channel, "Channel of --data");
+  parser.add_option("--format", options->measurement.format, "Of --data; default: by its extension")
+      ->check(CLI::IsMember({"csv", "alta", "astm", "zemax", "merl"}));
+  parser.add_option("--scale", options->measurement.scale, "Factor from the values of --data to f in 1/sr")
+      ->check(CLI::PositiveNumber);
+  parser.add_flag("--flip-azimuth", options->measurement.flip_azimuth, "--data counts azimuth from the backward side");
   parser.add_option("--width", options->width, "Width of a PNG in pixels; default: 2.5 for each unit of the SVG")
       ->check(CLI::Range(100, 20000));
   parser.add_flag("--force", options->force, "Overwrite an existing output");

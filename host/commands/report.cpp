@@ -40,14 +40,21 @@ class TemporaryFolder {
 };
 
 // The table of a material's own grid at its first phi_i, on which f does not depend, and of no more nodes than a page holds.
-Subject table_of(const Subject& subject, const Engine& engine, const TemporaryFolder& folder, const CommonOptions& common) {
+Subject table_of(const Subject& subject, const Engine& engine, const TemporaryFolder& folder, const CommonOptions& common,
+                 std::string& origin) {
   const Material& material = subject.material();
   Grid grid = material.grid();
   grid.phi_i = Axis(AxisKind::phi_i, {grid.phi_i[0]});
   const NodeSubset nodes = spread_nodes(grid, most_embedded / material.bands().size());
-  if (nodes.size() < grid.directions())
-    say(common, fmt::format("{}: its grid has {} directions; the page shows {} of them", subject.file(), grid.directions(),
-                            nodes.size()));
+  origin = "It was made for this page, at the material's own grid; brdftab generate makes it as a file.";
+  if (nodes.size() < grid.directions()) {
+    origin = fmt::format(
+        "It was made for this page, at {} of the {} directions of the material's own grid, spread evenly; brdftab generate makes "
+        "the whole as a file.",
+        nodes.size(), grid.directions());
+    say(common,
+        fmt::format("{}: its grid has {} directions; the page has {} of them", subject.file(), grid.directions(), nodes.size()));
+  }
   const auto file = folder.path() / "table.h5";
   GenerateOptions options;
   options.quiet = true;
@@ -66,10 +73,11 @@ ExitStatus run(const Options& options, const CommonOptions& common) {
   const Device device = select_device(options.device);
   const Engine engine(device, Engine::widest(device), Precision::float32);
   std::optional<TemporaryFolder> folder;
-  const Subject table = subject.is_table() ? subject : table_of(subject, engine, folder.emplace(), common);
+  std::string origin = fmt::format("The file is {}.", options.subject);
+  const Subject table = subject.is_table() ? subject : table_of(subject, engine, folder.emplace(), common, origin);
   write_whole_file(file, target,
                    report(
-                       table, [&]() -> const Engine& { return engine; }, !subject.is_table()));
+                       table, [&]() -> const Engine& { return engine; }, origin));
   return ExitStatus::done;
 }
 

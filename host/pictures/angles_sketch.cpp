@@ -21,7 +21,7 @@ struct Point {
 };
 
 // x to the forward side, y away from the reader, z along the normal.
-Point seen(double x, double y, double z) { return {260 + 150 * (x - 0.22 * y), 202 - 150 * (0.96 * z + 0.34 * y)}; }
+Point seen(double x, double y, double z) { return {260 + 150 * (x - 0.22 * y), 214 - 150 * (0.96 * z + 0.34 * y)}; }
 
 Point along(double theta, double azimuth, double length) {
   return seen(length * std::sin(theta * degree) * std::cos(azimuth * degree),
@@ -49,7 +49,7 @@ void arrow(Svg& svg, const Point& from, const Point& to, const Ink& ink, double 
 }  // namespace
 
 std::string angles_sketch() {
-  Svg svg(520, 292);
+  Svg svg(520, 296);
   const Point origin = seen(0, 0, 0);
   svg.path(curve(0, 360, [](double azimuth) { return along(90, azimuth, 1.12); }) + "Z", inks::frame, 1);
   svg.path(curve(0, phi, [](double azimuth) { return along(90, azimuth, 0.5); }), inks::text, 1.2);
@@ -69,8 +69,8 @@ std::string angles_sketch() {
     svg.text(at.x + dx, at.y + dy, text, {.anchor = anchor, .size = 13.5, .ink = ink});
   };
   label(along(theta_i / 2, 180, 0.62), -3, -8, "θ_i", "middle", incident_ink);
-  label(along(theta_s / 2, phi, 0.62), 10, -4, "θ_s", "start", scattered_ink);
-  label(along(90, phi / 2, 0.5), 8, 5, "φ", "start", inks::text);
+  label(along(theta_s / 2, phi, 0.62), 2, -9, "θ_s", "middle", scattered_ink);
+  label(along(90, 0.3 * phi, 0.5), 10, 0, "φ", "start", inks::text);
   label(top, 0, -6, "normal", "middle", inks::text);
   label(source, 4, -8, "light comes in", "end", incident_ink);
   label(mirror, 8, 4, "mirror direction", "start", incident_ink);

@@ -23,6 +23,8 @@ std::string plot(const PlotRow& row, std::span<const Subject> subjects, const Pl
   if (options.theta_i && options.theta_i->size() > most_incidences)
     throw BadInput("--theta-i: {} angles; a picture shows at most {}", options.theta_i->size(), most_incidences);
   if (options.theta_i && row.plot == dhr_plot) throw BadInput("--theta-i: DHR is drawn against all theta_i");
+  if (options.polarization && (row.plot == dhr_plot || row.plot == shadowing_plot))
+    throw BadInput("--polarization: {}", row.plot == dhr_plot ? "DHR is drawn for every one" : "shadowing does not depend on it");
   if (options.data && row.plot != in_plane_plot && row.plot != polar_plot)
     throw BadInput("--data: is shown by --kind inplane and polar, not by {}", row.name);
   if (options.data && subjects.size() != 1)

@@ -40,8 +40,8 @@ std::string image_html(const std::string& svg, std::string_view alt, std::string
 
 class Page {
  public:
-  Page(const Subject& table, const EngineSource& engine, bool made_for_page)
-      : table_(table), info_(table.reader().info()), engine_(engine), made_for_page_(made_for_page) {}
+  Page(const Subject& table, const EngineSource& engine, const std::string& origin)
+      : table_(table), info_(table.reader().info()), engine_(engine), origin_(origin) {}
 
   std::string html() {
     const std::string name = xml_escaped(table_.name());
@@ -101,9 +101,7 @@ class Page {
     if (!material.license().empty()) add("<p class=\"faint\">Licence: {}</p>\n", xml_escaped(material.license()));
     add("<p>A table of the bidirectional reflectance distribution function <i>f</i><sub>r</sub>, in sr<sup>−1</sup>, by the "
         "model of {}. {}</p>\n",
-        xml_escaped(paper_reference),
-        made_for_page_ ? "It was made for this page; <code>brdftab generate</code> makes it as a file."
-                       : fmt::format("The file is <code>{}</code>.", xml_escaped(table_.file())));
+        xml_escaped(paper_reference), xml_escaped(origin_));
     for (const auto& fault : table_.table().faults) add("<p class=\"warning\">{}</p>\n", xml_escaped(fault));
     add("<div class=\"scroll\"><table>\n<tr><th>axis</th><th class=\"number\">nodes</th><th class=\"number\">from</th>"
         "<th class=\"number\">to</th><th>meaning</th></tr>\n");
@@ -286,7 +284,7 @@ class Page {
   const Subject& table_;
   const TableInfo& info_;
   const EngineSource& engine_;
-  bool made_for_page_;
+  std::string origin_;
   bool round_ = false;
   std::string body_;
   std::string scripts_;
@@ -294,8 +292,8 @@ class Page {
 
 }  // namespace
 
-std::string report(const Subject& table, const EngineSource& engine, bool made_for_page) {
-  return Page(table, engine, made_for_page).html();
+std::string report(const Subject& table, const EngineSource& engine, const std::string& origin) {
+  return Page(table, engine, origin).html();
 }
 
 }  // namespace brdftab

@@ -10,7 +10,7 @@ namespace brdftab {
 /// Samples that a page carries at most.
 inline constexpr std::size_t most_embedded = 1 << 20;
 
-/// The whole file. `made_for_page`: the table was made from a material for this page alone.
-std::string report(const Subject& table, const EngineSource& engine, bool made_for_page);
+/// The whole file. `origin`: a sentence of plain text, where the table comes from.
+std::string report(const Subject& table, const EngineSource& engine, const std::string& origin);
 
 }  // namespace brdftab
