@@ -173,6 +173,7 @@ class Drawing {
   }
 
   void draw_legend(Svg& svg) const {
+    if (entries_.empty()) return;
     double y = boxes_.front().top + 10;
     if (!chart_.legend_title.empty()) {
       svg.text(legend_left_, y, chart_.legend_title, {.anchor = "start", .size = legend_size, .bold = true});

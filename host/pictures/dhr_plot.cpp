@@ -15,7 +15,7 @@ namespace {
 
 // Above this, the line at 1 stands on a linear axis; below, it would press curves to the bottom.
 constexpr double bright = 0.4;
-constexpr double most_decades = 6;
+constexpr double most_decades = 5;
 constexpr double node_radius = 2.2;
 
 // Every degree, and where R has a kink: at the Brewster angle and, for n_eff < 1, at the critical one.

@@ -43,10 +43,10 @@ std::string hemisphere_plot(std::span<const Subject> subjects, const PlotOptions
     } else {
       const DrawnModel model(engine(), subject, band, polarization);
       for (const double angle : theta_i)
-        figure.maps.push_back(
-            {"", angle,
-             HemisphereFigure::pixels().values(angle, [&](std::span<const DirectionPair> pairs) { return model.brdf(pairs); }),
-             std::nullopt});
+        figure.maps.push_back({"", angle,
+                               HemisphereFigure::pixels().values(
+                                   angle, [&](std::span<const DirectionPair> pairs) { return model.brdf_of_many(pairs); }),
+                               std::nullopt});
     }
     for (std::size_t i = 0; i < theta_i.size(); ++i) {
       auto& title = figure.maps[figure.maps.size() - theta_i.size() + i].title;

@@ -8,6 +8,7 @@
 
 #include "host/error.hpp"
 #include "host/numbers.hpp"
+#include "host/sampled_model.hpp"
 
 namespace brdftab {
 namespace {
@@ -96,6 +97,22 @@ std::vector<double> DrawnModel::of(const Band& band, std::span<const DirectionPa
 }
 
 std::vector<double> DrawnModel::brdf(std::span<const DirectionPair> pairs) const { return of(band_, pairs); }
+
+std::vector<double> DrawnModel::brdf_of_many(std::span<const DirectionPair> pairs) const {
+  if (switches().normalization != Normalization::reciprocal) return brdf(pairs);
+  const auto& bands = subject_.material().bands();
+  const auto band =
+      std::find_if(bands.begin(), bands.end(), [&](const Band& b) { return b.wavelength_nm == band_.wavelength_nm; });
+  const double theta_i = pairs.front().theta_i;
+  Directions directions;
+  double last = 0;
+  for (const DirectionPair& pair : pairs) {
+    directions.add(pair.theta_i, pair.model_theta_s(), pair.model_phi());
+    last = std::max(last, pair.model_theta_s());
+  }
+  const SampledModel sampled(engine_, subject_.material(), {polarization_}, {theta_i, theta_i}, {0, last});
+  return sampled.evaluate(directions)[static_cast<std::size_t>(band - bands.begin())];
+}
 
 std::vector<double> DrawnModel::brdf(Lobe lobe, std::span<const DirectionPair> pairs) const {
   // N, D and V_m of a lobe do not depend on the amplitudes of the others.

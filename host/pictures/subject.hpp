@@ -56,6 +56,8 @@ class DrawnModel {
 
   /// f in 1/sr. Throws BadInput that names the angles where it is not finite.
   std::vector<double> brdf(std::span<const DirectionPair> pairs) const;
+  /// The same at very many directions of one theta_i: where N depends on theta_s as well, it comes from a spline.
+  std::vector<double> brdf_of_many(std::span<const DirectionPair> pairs) const;
   /// The part of one lobe.
   std::vector<double> brdf(Lobe lobe, std::span<const DirectionPair> pairs) const;
 
