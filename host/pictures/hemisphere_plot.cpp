@@ -33,11 +33,11 @@ std::string hemisphere_plot(std::span<const Subject> subjects, const PlotOptions
     const std::size_t band = subject.band(options.wavelength_nm);
     const auto theta_i = incidences(subject, options);
     if (subject.is_table()) {
+      if (!has_hemispheres(subject.table().grid))
+        throw BadInput("{}: its azimuths leave gaps above 90 degrees: there is no hemisphere to draw", subject.file());
       const auto nodes = subject.nodes_theta_i(theta_i);
       for (std::size_t i = 0; i < theta_i.size(); ++i) {
         const TableSlice slice = TableSlice::read(subject, nodes[i], band, polarization);
-        if (!slice.is_round())
-          throw BadInput("{}: its azimuths leave gaps above 90 degrees: there is no hemisphere to draw", subject.file());
         figure.maps.push_back({"", theta_i[i], slice.at_pixels()});
       }
     } else {

@@ -128,8 +128,7 @@ class Page {
   }
 
   void explore() {
-    const auto polarization = table_.table().polarizations.front();
-    if (!TableSlice::read(table_, 0, 0, polarization).is_round()) {
+    if (!has_hemispheres(table_.table().grid)) {
       add("<p>The table's azimuths leave gaps above 90°: there is no hemisphere to map.</p>\n");
       return;
     }

@@ -16,7 +16,15 @@ constexpr std::size_t most_nodes = 1 << 27;
 
 constexpr double degree = std::numbers::pi / 180;
 
+std::vector<double> azimuths(const Grid& grid) {
+  std::vector<double> phi;
+  for (const double node : grid.phi_s.nodes()) phi.push_back(node - grid.phi_i[0]);
+  return phi;
+}
+
 }  // namespace
+
+bool has_hemispheres(const Grid& grid) { return TableSlice({0}, azimuths(grid), {}).is_round(); }
 
 double in_circle(double phi) {
   const double turned = std::fmod(phi, 360);
@@ -32,10 +40,8 @@ TableSlice TableSlice::read(const Subject& subject, std::size_t theta_i, std::si
                    most_nodes);
   std::vector<double> values(box.nodes());
   subject.reader().read(polarization, band, box, values);
-  std::vector<double> phi;
-  for (const double node : grid.phi_s.nodes()) phi.push_back(node - grid.phi_i[0]);
   const auto theta_s = grid.theta_s.nodes();
-  return TableSlice({theta_s.begin(), theta_s.end()}, std::move(phi), std::move(values));
+  return TableSlice({theta_s.begin(), theta_s.end()}, azimuths(grid), std::move(values));
 }
 
 TableSlice::TableSlice(std::vector<double> theta_s, std::vector<double> phi, std::vector<double> values)

@@ -11,6 +11,9 @@ namespace brdftab {
 /// An azimuth in degrees, in [0, 360).
 double in_circle(double phi);
 
+/// Whether a table's azimuths, at its first phi_i, go round as TableSlice::is_round says.
+bool has_hemispheres(const Grid& grid);
+
 class TableSlice {
  public:
   /// At the first phi_i. Throws BadInput where a hemisphere has more nodes than can be drawn.
