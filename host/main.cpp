@@ -26,6 +26,8 @@ constexpr CommandRow command_table[] = {
     {"integrate", "Integrate a material over the hemisphere: N, DHR and BHR", integrate_command},
     {"fit", "Fit the fourteen parameters to a measured BRDF", fit_command},
     {"validate", "Read a table back and compare it with the scalar reference", validate_command},
+    {"plot", "Draw a material or a table: curves, maps, shadowing, reflectance, comparison", plot_command},
+    {"report", "Write a page about a table or a material: pictures, figures, a map with a slider", report_command},
     {"info", "Show what a table holds", info_command},
     {"bench", "Measure kernels against the device's store rate and the scalar reference", bench_command},
     {"devices", "List the OpenCL devices and how to select each", devices_command},

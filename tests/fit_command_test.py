@@ -7,8 +7,8 @@ import math
 import re
 import statistics
 import unittest
-import xml.etree.ElementTree
 
+from picture import Picture
 from program import BAD_INPUT, CHECK_FAILED, DONE, FILE, MATERIALS, InFolder, run
 
 HEADER = "theta_i_deg,theta_s_deg,phi_s_deg,brdf_per_sr,channel\n"
@@ -36,13 +36,14 @@ class Fit(InFolder):
                       "24 starts", "theta_i = 80"):
             self.assertIn(words, result.stdout)
         self.assertRegex(result.stderr, r"% of it in kernels")
-        pictures = {path.name: xml.etree.ElementTree.parse(path) for path in (self.folder / "report").iterdir()}
+        pictures = {path.name: path for path in (self.folder / "report").iterdir()}
         self.assertEqual(sorted(pictures), ["correlations.svg", "fit.svg", "residuals.svg", "shadowing.svg"])
-        svg = "{http://www.w3.org/2000/svg}"
-        # A dot for each sample and a line for each incidence.
-        self.assertEqual(len(pictures["fit.svg"].findall(f".//{svg}circle")), 105)
-        self.assertEqual(len(pictures["fit.svg"].findall(f".//{svg}path[@fill='none']")), 5)
-        self.assertEqual(len(pictures["residuals.svg"].findall(f".//{svg}circle")), 105)
+        # A dot for each sample and a curve for each incidence.
+        for name, curves in (("fit.svg", 5), ("residuals.svg", 0)):
+            series = Picture(pictures[name]).data["panels"][0]["series"]
+            self.assertEqual(sum(len(s["x"]) for s in series if s["marks"] == "dots"), 105)
+            self.assertEqual(sum(s["marks"] == "line" for s in series), curves)
+        self.assertIn("σsurface", Picture(pictures["correlations.svg"], data=False).texts())
         text = material.read_text()
         for words in ('name = "a paint"', "rms of ln(model/data)", "bounds 0.0001 to 100", "made up; data.csv", "brdftab fit ",
                       "theta_i 0 to 80 degrees"):
