@@ -129,6 +129,7 @@ class Curves(Drawing):
         picture = self.picture(VINYL, "--data", data, "--scale", "2", "--theta-i", "25")
         dots = [s for s in picture.data["panels"][0]["series"] if s["marks"] == "dots"]
         self.assertEqual([sorted(s["y"]) for s in dots], [[0.1, 0.12]])
+        self.assertIn("at 1 of 2 θi", picture.texts())
 
     def test_shadowing(self):
         picture = self.picture(VINYL, "--kind", "shadowing")

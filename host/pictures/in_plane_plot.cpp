@@ -73,6 +73,7 @@ Chart in_plane_chart(std::span<const Subject> subjects, const PlotOptions& optio
               .panels = {}};
   const auto labels = subject_labels(subjects);
   bool any_table = false;
+  std::size_t shown = 0;  // incidences of the measurement
   for (std::size_t k = 0; k < subjects.size(); ++k) {
     const Subject& subject = subjects[k];
     const std::size_t band = subject.band(options.wavelength_nm);
@@ -89,13 +90,18 @@ Chart in_plane_chart(std::span<const Subject> subjects, const PlotOptions& optio
         panel.dots(incidence_label(theta_i[i]), TableSlice::read(subject, node, band, polarization).in_plane(), node_radius);
         any_table = true;
       }
-      if (auto points = at_incidence(measured, theta_i[i]); !points.empty())
+      if (auto points = at_incidence(measured, theta_i[i]); !points.empty()) {
         panel.dots(incidence_label(theta_i[i]), std::move(points));
+        ++shown;
+      }
     }
     chart.panels.push_back(std::move(panel));
   }
   if (any_table) chart.notes = {"curves: the model", "dots: nodes of the table"};
-  if (!measured.empty()) chart.notes = {"curves: the model", "dots: measured"};
+  if (!measured.empty()) {
+    chart.notes = {"curves: the model", "dots: measured"};
+    if (shown < measured.size()) chart.notes.push_back(fmt::format("at {} of {} θ_i", shown, measured.size()));
+  }
   const ChartAxis y = axis_around(chart.panels);
   for (Panel& panel : chart.panels) panel.y = y;
   return chart;
