@@ -120,6 +120,7 @@ class Layout(InFolder):
             self.assertEqual(file.offsets[name], -(-end // 8) * 8, name)
             end = file.offsets[name] + file.fields[name].nbytes
         self.assertEqual(path.stat().st_size, end)
+        self.assertAlmostEqual(end, 4 * 20 * ((3 + 1) * 24**2 + 64 * 33) + 12_000, delta=2000)
         self.assertIn("brown vinyl", bytes(file.fields["description"]).decode())
         self.assertIn("rho_surface = 0.45", bytes(file.fields["comments"]).decode())
         self.assertEqual(file.fields["rgb"][0, :, 0].tolist(), file.fields["rgb"][0, :, 2].tolist())
