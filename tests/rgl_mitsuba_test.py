@@ -141,14 +141,16 @@ class Loaded(InFolder):
                 generate(source, self.folder / f"{name}_{channels}.bsdf", "--rgl-channels", channels)
         viewer, light = vector([40.0], [10.0]), vector([38.0], [190.0])
         grey, bands = reference(VINYL, viewer, light)[0], reference(material, viewer, light)[:, 0]
-        for variant, channels in (("scalar_rgb", "rgb"), (RGB, "rgb"), ("scalar_spectral", "spectral"), ("llvm_ad_spectral", "spectral")):
+        for variant in ("scalar_rgb", RGB, "scalar_spectral", "llvm_ad_spectral"):
+            channels = variant.split("_")[-1]
             with self.subTest(variant):
                 for name in ("grey", "bands"):
                     bsdf = load(self.folder / f"{name}_{channels}.bsdf", variant)
                     surface = mitsuba.SurfaceInteraction3f()
                     surface.wi = mitsuba.Vector3f(*viewer[:, 0].tolist())
                     surface.wavelengths = [] if channels == "rgb" else [450, 550, 650, 600]
-                    value = numpy.array(bsdf.eval(mitsuba.BSDFContext(), surface, mitsuba.Vector3f(*light[:, 0].tolist()))).ravel() / light[2]
+                    to_light = mitsuba.Vector3f(*light[:, 0].tolist())
+                    value = numpy.array(bsdf.eval(mitsuba.BSDFContext(), surface, to_light)).ravel() / light[2]
                     if name == "grey":
                         numpy.testing.assert_allclose(value, grey, rtol=0.01)
                     elif channels == "spectral":
@@ -165,7 +167,8 @@ class Loaded(InFolder):
             "type": "scene", "integrator": {"type": "path"}, "light": {"type": "constant"},
             "ball": {"type": "sphere", "bsdf": {"type": "measured", "filename": str(file)}},
             "sensor": {"type": "orthographic", "to_world": mitsuba.ScalarTransform4f().look_at([0, 0, 4], [0, 0, 0], [0, 1, 0]),
-                       "film": {"type": "hdrfilm", "width": 32, "height": 32}, "sampler": {"type": "independent", "sample_count": 64}}})
+                       "film": {"type": "hdrfilm", "width": 32, "height": 32},
+                       "sampler": {"type": "independent", "sample_count": 64}}})
         image = numpy.array(mitsuba.render(scene))[:, :, :3]
         self.assertTrue(numpy.isfinite(image).all())
         self.assertGreater(image[16, 16].min(), 0.05)

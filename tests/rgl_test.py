@@ -135,7 +135,9 @@ class Layout(InFolder):
     def test_refused(self):
         file = self.folder / "x.bsdf"
         for options, parts in ((["--rgl-warp-phi", "128"], ["--rgl-warp-phi 128", "odd"]), (["--rgl-samples", "1"], ["samples"]),
-                               (["--rgl-channels", "xyz"], ["xyz"]), (["--theta-i", "0:80:5"], ["--theta-i", "rgl"])):
+                               (["--rgl-channels", "xyz"], ["xyz"]),
+                               (["--rgl-theta-i", "4096", "--rgl-samples", "4096"], ["--rgl-theta-i", "GB", "at most 4"]),
+                               (["--theta-i", "0:80:5"], ["--theta-i", "rgl"])):
             with self.subTest(options):
                 self.assert_refused(run("generate", VINYL, "--format", "rgl", "-o", file, *options), BAD_INPUT, *parts)
                 self.assertFalse(file.exists())

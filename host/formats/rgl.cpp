@@ -12,6 +12,9 @@ namespace {
 
 constexpr double radians = std::numbers::pi / 180;
 
+// Consumers count a table's values in 32 bits, and hold it several times over.
+constexpr std::size_t most_bytes = 4'000'000'000;
+
 class RglTable : public ExportedTable {
  public:
   RglTable(RglContent content, Description description)
@@ -79,6 +82,14 @@ class RglFormat : public ExportFormat {
     if (resolution_.warp_phi % 2 == 0)
       throw BadInput("--rgl-warp-phi {}: must be odd, so that a row lies in the plane of incidence", resolution_.warp_phi);
     const bool rgb = channels_ == "rgb";
+    const std::size_t channels = rgb ? 3 : source.bands();
+    const std::size_t bytes =
+        4 * resolution_.theta_i *
+        ((channels + 1) * resolution_.samples * resolution_.samples + resolution_.warp_theta * resolution_.warp_phi);
+    if (bytes > most_bytes)
+      throw BadInput(
+          "--rgl-theta-i, --rgl-samples, --rgl-warp-theta and --rgl-warp-phi: the file would have {:.3g} GB; at most 4",
+          static_cast<double>(bytes) / 1e9);
     const RglDesign design = design_rgl(source, resolution_, rgb ? RglChannels::rgb : RglChannels::spectral);
     TensorFields fields = design.content.fields();
     fields["description"] = Tensor::of_text(fmt::format("{}, {}", source.material().name(), program_source));
