@@ -11,7 +11,8 @@ import xarray
 
 import reference
 import wheels
-from program import BAD_INPUT, DONE, VINYL, InFolder, run
+from program import BAD_INPUT, DONE, InFolder, run
+from reference import VINYL
 
 # A scene under parallel light from one direction, seen from many: f as Eradiate finds it from radiances.
 SIMULATION = """

@@ -9,7 +9,8 @@ import unittest
 import jsonschema
 
 import reference
-from program import BAD_INPUT, DONE, MATERIALS, VINYL, InFolder, run
+from program import BAD_INPUT, DONE, MATERIALS, InFolder, run
+from reference import VINYL
 
 SMALL = ["--theta-i", "0,10,35,60", "--theta-s", "0,35,54.38,75.9", "--phi-s", "0,46.38,180,226.38,360"]
 

@@ -11,9 +11,8 @@ import numpy
 
 import reference
 import wheels
-from program import BAD_INPUT, DONE, MATERIALS, VINYL, InFolder, run
-
-SHEETING = MATERIALS / "yellow-retro-sheeting.toml"
+from program import BAD_INPUT, DONE, InFolder, run
+from reference import SHEETING, VINYL
 
 # The library's own perturbation of each cell, which depends on its place, is up to 3e-4.
 PERTURBED = 1e-3
@@ -163,6 +162,49 @@ class Tree(Written):
             _, found = radiance(self.written(material), theta_i=[1, 30, 60])
             for value, expected in zip(found, dhr(material, [1, 30, 60]), strict=True):
                 self.assertAlmostEqual(value / expected, 1, delta=0.02)
+
+    def test_colour(self):
+        bands = "".join(f"[[band]]\nwavelength_nm = {w:.1f}\nsigma_surface = {s}\nsigma_bulk = {s}\n"
+                        for w, s in ((450, 0.6), (550, 0.3), (650, 0.1)))
+        spectrum, flat = self.folder / "spectrum.toml", self.folder / "flat.toml"
+        spectrum.write_text(VINYL.read_text() + bands)
+        flat.write_text(VINYL.read_text() + "".join(f"[[band]]\nwavelength_nm = {w}.0\n" for w in (450, 550, 650)))
+        pair = (30, 0, 20, 90)  # centres of patches
+        (x, y, z), = radiance(self.written(flat, "--radiance-values", "centre"), [pair])[0]
+        expected, = reference.brdf(VINYL, directions([pair]))
+        for value in (x, y, z):
+            self.assertAlmostEqual(value / expected, 1, delta=0.015)  # the library stores colours in 16 bits
+        (x, y, z), = radiance(self.written(spectrum, "--radiance-values", "centre"), [pair])[0]
+        # Z sees the first band, Y the middle one, X the last and a little of the first.
+        blue, green, red = reference.brdf(spectrum, directions([pair]))
+        self.assertAlmostEqual(z / blue, 1, delta=0.1)
+        self.assertAlmostEqual(y / green, 1, delta=0.2)
+        self.assertTrue(red < x < green, (red, x, green))
+        refused = run("generate", spectrum, "-o", self.folder / "tree.xml", "--radiance-basis", "tree")
+        self.assert_refused(refused, BAD_INPUT, "klems", "--wavelength")
+
+    def test_validate_reads_what_radiance_reads(self):
+        draw = random.Random(3)
+        for basis, median in (("tree", 0.04), ("klems", 0.1)):
+            file = self.written(VINYL, "--radiance-basis", basis)
+            result = run("validate", "--json", file)
+            self.assertEqual(result.returncode, DONE, result.stderr)
+            said = json.loads(result.stdout)["uniform"]["median"]
+            pairs = [(math.degrees(math.acos(draw.random())), 0, math.degrees(math.acos(draw.random())), draw.uniform(0, 360))
+                     for _ in range(400)]
+            f = reference.brdf(VINYL, directions(pairs))
+            errors = sorted(abs(y / value - 1) for (_, y, _), value in zip(radiance(file, pairs)[0], f, strict=True))
+            self.assertLess(errors[200], median)
+            self.assertAlmostEqual(errors[200] / said, 1, delta=0.25)
+
+    def test_a_damaged_file_is_told(self):
+        text = self.written(VINYL, "--radiance-depth", 3).read_text()
+        for damaged, part in ((text.replace("TensorTree3", "TensorTree5"), "IncidentDataStructure"),
+                              (text.replace("{ ", "{ x", 1), "not a number"),
+                              (text[:text.index("</ScatteringData>")], "WavelengthData")):
+            file = self.folder / "damaged.xml"
+            file.write_text(damaged)
+            self.assert_refused(run("validate", file), BAD_INPUT, file, part)
 
     def test_interpolation_is_within_the_tolerance_asked(self):
         draw = random.Random(3)
