@@ -4,6 +4,7 @@ import itertools
 import json
 import math
 import random
+import re
 import subprocess
 import unittest
 
@@ -11,7 +12,7 @@ import numpy
 
 import reference
 import wheels
-from program import BAD_INPUT, DONE, InFolder, run
+from program import BAD_INPUT, DONE, ROOT, InFolder, environment, run
 from reference import SHEETING, VINYL
 
 # The library's own perturbation of each cell, which depends on its place, is up to 3e-4.
@@ -215,6 +216,36 @@ class Tree(Written):
             errors = sorted(abs(y / value - 1) for (_, y, _), value in zip(found, f, strict=True))
             self.assertLess(errors[475], tolerance)
             self.assertGreater(errors[475], tolerance / 10)
+
+
+class Readme(Written):
+    def test_a_scene_under_the_sun(self):
+        """The README's material on a floor, by Radiance's own renderer."""
+        (self.folder / ".build").mkdir()
+        result = run("generate", VINYL, "-o", self.folder / ".build" / "vinyl.xml", "--radiance-tolerance", "0.02")
+        self.assertEqual(result.returncode, DONE, result.stderr)
+        material = re.search(r"```\n(void BSDF vinyl.*?)```", (ROOT / "README.md").read_text(), re.DOTALL).group(1)
+        (self.folder / "scene.rad").write_text(material + """
+vinyl polygon floor 0 0 12  -1 -1 0  1 -1 0  1 1 0  -1 1 0
+void light sun 0 0 3  1000 1000 1000
+sun source disk 0 0 4  0.5 0 0.8660254 0.5
+""")
+        python = wheels.interpreter("simulators")
+        package, = (python.parent.parent / "lib").glob("python*/site-packages/pyradiance")
+        variables = environment(RAYPATH=f"{package / 'lib'}:.")
+        octree = subprocess.run([package / "bin" / "oconv", "scene.rad"], capture_output=True, cwd=self.folder, env=variables)
+        self.assertEqual(octree.returncode, 0, octree.stderr)
+        (self.folder / "scene.oct").write_bytes(octree.stdout)
+        # From the mirror direction, from the sun's and from the normal.
+        rays = "-0.5 0 0.8660254 0.5 0 -0.8660254\n0.5 0 0.8660254 -0.5 0 -0.8660254\n0 0 1 0 0 -1\n"
+        traced = subprocess.run([package / "bin" / "rtrace", "-h", "-ab", "0", "-dj", "0", "scene.oct"], input=rays,
+                                capture_output=True, text=True, cwd=self.folder, env=variables)
+        self.assertEqual(traced.returncode, 0, traced.stderr)
+        irradiance = 1000 * 2 * math.pi * (1 - math.cos(math.radians(0.25))) * 0.8660254
+        # The renderer has the viewer in the place of the light.
+        f = reference.brdf(VINYL, [(30, 30, 0), (30, 30, 180), (0, 30, 0)])
+        for line, expected in zip(traced.stdout.splitlines(), f, strict=True):
+            self.assertAlmostEqual(float(line.split()[0]) / irradiance / expected, 1, delta=0.04)
 
 
 if __name__ == "__main__":
