@@ -3,6 +3,7 @@
 import json
 import math
 import random
+import re
 import subprocess
 import unittest
 
@@ -11,7 +12,8 @@ import xarray
 
 import reference
 import wheels
-from program import BAD_INPUT, DONE, VINYL, InFolder, run
+from program import BAD_INPUT, DONE, ROOT, InFolder, run
+from reference import VINYL
 
 # A scene under parallel light from one direction, seen from many: f as Eradiate finds it from radiances.
 SIMULATION = """
@@ -82,6 +84,22 @@ class Simulation(Written):
         self.assertLess(errors[190], 0.02)
         forward, backward = found[-2:]
         self.assertGreater(forward, 5 * backward)
+
+
+class Readme(Written):
+    def test_usage(self):
+        (self.folder / ".build").mkdir()
+        result = run("generate", VINYL, "--format", "eradiate", "-o", self.folder / ".build" / "vinyl.nc")
+        self.assertEqual(result.returncode, DONE, result.stderr)
+        script = re.search(r"```python\n(import eradiate.*?)```", (ROOT / "README.md").read_text(), re.DOTALL).group(1)
+        result = subprocess.run([wheels.interpreter("eradiate"), "-c", script], capture_output=True, text=True, timeout=300,
+                                cwd=self.folder)
+        self.assertEqual(result.returncode, 0, result.stderr[-2000:])
+        found = [float(line.split()[1]) for line in result.stdout.splitlines() if re.match(r"\d", line)]
+        # Light from 30 degrees at azimuth 0; negative viewing angles lie opposite.
+        f = reference.brdf(VINYL, [(30, 60, 0), (30, 30, 0), (30, 0, 0), (30, 30, 180), (30, 60, 180)])
+        for a, b in zip(found, f, strict=True):
+            self.assertAlmostEqual(a / b, 1, delta=5e-3)
 
 
 class Rules(Written):

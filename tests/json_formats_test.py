@@ -9,7 +9,8 @@ import unittest
 import jsonschema
 
 import reference
-from program import BAD_INPUT, DONE, MATERIALS, VINYL, InFolder, run
+from program import BAD_INPUT, DONE, MATERIALS, InFolder, run
+from reference import VINYL
 
 SMALL = ["--theta-i", "0,10,35,60", "--theta-s", "0,35,54.38,75.9", "--phi-s", "0,46.38,180,226.38,360"]
 
@@ -215,10 +216,26 @@ class Bird(Written):
         self.assertAlmostEqual(entries["n_eff"]["uncertainty"], (high - low) / 2, delta=1e-12)
         self.assertAlmostEqual(entries["n_eff"]["value"], float(printed["n_eff"].split()[1]), delta=1e-4)
         self.assertNotIn("uncertainty", entries["delta"])
-        for name in (name for name, line in printed.items() if "unidentifiable" in line):
+
+    def test_an_interval_that_only_bounds_limit_is_no_uncertainty(self):
+        material = self.folder / "fit.toml"
+        text = VINYL.read_text()
+        for line, remark in (("w_a = 0.21", "95 %: 0 to 100; bounds 0 to 100; unidentifiable"),
+                             ("rho_bulk = 0.88", "95 %: 0.5 to 100; bounds 0.0001 to 100; no upper limit"),
+                             ("gamma = 0.9", "95 %: -; bounds 0 to 1000; at bound"),
+                             ("n_eff = 1.24", "95 %: 1.2 to 1.3; bounds 0.05 to 20")):
+            self.assertIn(line, text)
+            text = text.replace(line, f"{line}  # {remark}")
+        material.write_text(text + "[[band]]\nwavelength_nm = 450.0\nn_eff = 1.5 # 95 %: 1.3 to 1.9; bounds 0.05 to 20\n"
+                            "[[band]]\nwavelength_nm = 650.0\n")
+        model = self.written("bird", BIRD, material, *SMALL)["metadata"]["software"]["simulation_model"]
+        entries = {entry["name"]: entry for entry in model["parameters"]}
+        for name, flag in (("w_a", "unidentifiable"), ("rho_bulk", "no upper limit")):
             self.assertNotIn("uncertainty", entries[name])
-            self.assertIn("unidentifiable", entries[name]["comments"])
-        self.assertTrue(any("unidentifiable" in line for line in printed.values()))
+            self.assertIn(flag, entries[name]["comments"])
+        self.assertNotIn("uncertainty", entries["gamma"])
+        self.assertAlmostEqual(entries["n_eff[450]"]["uncertainty"], 0.3, delta=1e-12)
+        self.assertAlmostEqual(entries["n_eff[650]"]["uncertainty"], 0.05, delta=1e-12)
 
     def test_a_material_that_was_not_fitted_has_none(self):
         model = self.written("bird", BIRD, VINYL, *SMALL)["metadata"]["software"]["simulation_model"]

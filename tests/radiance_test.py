@@ -4,6 +4,7 @@ import itertools
 import json
 import math
 import random
+import re
 import subprocess
 import unittest
 
@@ -11,9 +12,8 @@ import numpy
 
 import reference
 import wheels
-from program import BAD_INPUT, DONE, MATERIALS, VINYL, InFolder, run
-
-SHEETING = MATERIALS / "yellow-retro-sheeting.toml"
+from program import BAD_INPUT, DONE, ROOT, InFolder, environment, run
+from reference import SHEETING, VINYL
 
 # The library's own perturbation of each cell, which depends on its place, is up to 3e-4.
 PERTURBED = 1e-3
@@ -164,6 +164,49 @@ class Tree(Written):
             for value, expected in zip(found, dhr(material, [1, 30, 60]), strict=True):
                 self.assertAlmostEqual(value / expected, 1, delta=0.02)
 
+    def test_colour(self):
+        bands = "".join(f"[[band]]\nwavelength_nm = {w:.1f}\nsigma_surface = {s}\nsigma_bulk = {s}\n"
+                        for w, s in ((450, 0.6), (550, 0.3), (650, 0.1)))
+        spectrum, flat = self.folder / "spectrum.toml", self.folder / "flat.toml"
+        spectrum.write_text(VINYL.read_text() + bands)
+        flat.write_text(VINYL.read_text() + "".join(f"[[band]]\nwavelength_nm = {w}.0\n" for w in (450, 550, 650)))
+        pair = (30, 0, 20, 90)  # centres of patches
+        (x, y, z), = radiance(self.written(flat, "--radiance-values", "centre"), [pair])[0]
+        expected, = reference.brdf(VINYL, directions([pair]))
+        for value in (x, y, z):
+            self.assertAlmostEqual(value / expected, 1, delta=0.015)  # the library stores colours in 16 bits
+        (x, y, z), = radiance(self.written(spectrum, "--radiance-values", "centre"), [pair])[0]
+        # Z sees the first band, Y the middle one, X the last and a little of the first.
+        blue, green, red = reference.brdf(spectrum, directions([pair]))
+        self.assertAlmostEqual(z / blue, 1, delta=0.1)
+        self.assertAlmostEqual(y / green, 1, delta=0.2)
+        self.assertTrue(red < x < green, (red, x, green))
+        refused = run("generate", spectrum, "-o", self.folder / "tree.xml", "--radiance-basis", "tree")
+        self.assert_refused(refused, BAD_INPUT, "klems", "--wavelength")
+
+    def test_validate_reads_what_radiance_reads(self):
+        draw = random.Random(3)
+        for basis, median in (("tree", 0.04), ("klems", 0.1)):
+            file = self.written(VINYL, "--radiance-basis", basis)
+            result = run("validate", "--json", file)
+            self.assertEqual(result.returncode, DONE, result.stderr)
+            said = json.loads(result.stdout)["uniform"]["median"]
+            pairs = [(math.degrees(math.acos(draw.random())), 0, math.degrees(math.acos(draw.random())), draw.uniform(0, 360))
+                     for _ in range(400)]
+            f = reference.brdf(VINYL, directions(pairs))
+            errors = sorted(abs(y / value - 1) for (_, y, _), value in zip(radiance(file, pairs)[0], f, strict=True))
+            self.assertLess(errors[200], median)
+            self.assertAlmostEqual(errors[200] / said, 1, delta=0.25)
+
+    def test_a_damaged_file_is_told(self):
+        text = self.written(VINYL, "--radiance-depth", 3).read_text()
+        for damaged, part in ((text.replace("TensorTree3", "TensorTree5"), "IncidentDataStructure"),
+                              (text.replace("{ ", "{ x", 1), "not a number"),
+                              (text[:text.index("</ScatteringData>")], "WavelengthData")):
+            file = self.folder / "damaged.xml"
+            file.write_text(damaged)
+            self.assert_refused(run("validate", file), BAD_INPUT, file, part)
+
     def test_interpolation_is_within_the_tolerance_asked(self):
         draw = random.Random(3)
         pairs = [(draw.uniform(0, 60), 0, draw.uniform(0, 60), draw.uniform(0, 360)) for _ in range(500)]
@@ -173,6 +216,37 @@ class Tree(Written):
             errors = sorted(abs(y / value - 1) for (_, y, _), value in zip(found, f, strict=True))
             self.assertLess(errors[475], tolerance)
             self.assertGreater(errors[475], tolerance / 10)
+
+
+class Readme(Written):
+    def test_a_scene_under_the_sun(self):
+        """The README's material on a floor, by Radiance's own renderer."""
+        (self.folder / ".build").mkdir()
+        result = run("generate", VINYL, "-o", self.folder / ".build" / "vinyl.xml", "--radiance-tolerance", "0.02")
+        self.assertEqual(result.returncode, DONE, result.stderr)
+        material = re.search(r"```\n(void BSDF vinyl.*?)```", (ROOT / "README.md").read_text(), re.DOTALL).group(1)
+        (self.folder / "scene.rad").write_text(material + """
+vinyl polygon floor 0 0 12  -1 -1 0  1 -1 0  1 1 0  -1 1 0
+void light sun 0 0 3  1000 1000 1000
+sun source disk 0 0 4  0.5 0 0.8660254 0.5
+""")
+        python = wheels.interpreter("simulators")
+        package, = (python.parent.parent / "lib").glob("python*/site-packages/pyradiance")
+        variables = environment(RAYPATH=f"{package / 'lib'}:.")
+        octree = subprocess.run([package / "bin" / "oconv", "scene.rad"], capture_output=True, cwd=self.folder, env=variables)
+        self.assertEqual(octree.returncode, 0, octree.stderr)
+        (self.folder / "scene.oct").write_bytes(octree.stdout)
+        # From the mirror direction, from the sun's and from the normal.
+        rays = "-0.5 0 0.8660254 0.5 0 -0.8660254\n0.5 0 0.8660254 -0.5 0 -0.8660254\n0 0 1 0 0 -1\n"
+        traced = subprocess.run([package / "bin" / "rtrace", "-h", "-ab", "0", "-dj", "0", "scene.oct"], input=rays,
+                                capture_output=True, text=True, cwd=self.folder, env=variables)
+        self.assertEqual(traced.returncode, 0, traced.stderr)
+        irradiance = 1000 * 2 * math.pi * (1 - math.cos(math.radians(0.25))) * 0.8660254
+        # The renderer has the viewer in the place of the light.
+        f = reference.brdf(VINYL, [(30, 30, 0), (30, 30, 180), (0, 30, 0)])
+        for line, expected in zip(traced.stdout.splitlines(), f, strict=True):
+            # Cells differ by 2 %, and the renderer draws directions within one.
+            self.assertAlmostEqual(float(line.split()[0]) / irradiance / expected, 1, delta=0.1)
 
 
 if __name__ == "__main__":

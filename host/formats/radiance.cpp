@@ -8,39 +8,26 @@
 #include "host/formats/formats.hpp"
 #include "host/formats/klems_basis.hpp"
 #include "host/formats/tensor_tree.hpp"
-#include "host/formats/xml_text.hpp"
 #include "host/numbers.hpp"
 #include "host/table_content.hpp"
 #include "host/whole_file.hpp"
+#include "host/xml_text.hpp"
 
 namespace brdftab {
 namespace {
 
 constexpr std::string_view klems_name = "LBNL/Klems Full", tree_name = "TensorTree3";
-// The components of colour that Radiance looks for, beside that of luminance, which comes first.
-constexpr std::array<std::string_view, 3> matrix_channels{"Visible", "CIE-X", "CIE-Z"};
-constexpr std::array<std::string_view, 3> tree_channels{"Visible", "CIE-u", "CIE-v"};
+// The components that Radiance looks for, luminance first.
+constexpr std::array<std::string_view, 3> wavelengths{"Visible", "CIE-X", "CIE-Z"};
 
 using Channels = std::vector<std::vector<double>>;
 
 // Luminance alone, or with X and Z.
-Channels matrix_colours(const ExportSource& source, const Channels& by_band) {
+Channels colours(const ExportSource& source, const Channels& by_band) {
   if (by_band.size() == 1) return by_band;
   auto xyz = source.xyz(by_band);
   std::swap(xyz[0], xyz[1]);
   return xyz;
-}
-
-// Luminance alone, or with the coordinates u' and v' of CIE 1976.
-Channels tree_colours(const ExportSource& source, const Channels& by_band) {
-  auto channels = matrix_colours(source, by_band);
-  if (channels.size() == 1) return channels;
-  for (std::size_t k = 0; k < channels[0].size(); ++k) {
-    const double y = channels[0][k], x = channels[1][k], z = channels[2][k], sum = x + 15 * y + 3 * z;
-    channels[1][k] = sum > 0 ? 4 * x / sum : 4. / 19;
-    channels[2][k] = sum > 0 ? 9 * y / sum : 9. / 19;
-  }
-  return channels;
 }
 
 class RadianceTable : public ExportedTable {
@@ -82,29 +69,17 @@ class KlemsTable : public RadianceTable {
 
 class TreeTable : public RadianceTable {
  public:
-  TreeTable(Description description, std::vector<TensorTree> trees)
-      : RadianceTable(std::move(description), trees.size()), trees_(std::move(trees)) {}
+  TreeTable(Description description, TensorTree tree) : RadianceTable(std::move(description), 1), tree_(std::move(tree)) {}
 
   Channels evaluate(const Directions& directions) const override {
-    Channels f(trees_.size());
-    for (std::size_t k = 0; k < directions.size(); ++k) {
-      const TreePoint point = tree_point(directions, k);
-      const double y = trees_[0].at(0, point);
-      if (f.size() == 1) {
-        f[0].push_back(y);
-        continue;
-      }
-      const double u = trees_[1].at(0, point), v = trees_[2].at(0, point);
-      f[0].push_back(v > 0 ? y * 9 * u / (4 * v) : 0);
-      f[1].push_back(y);
-      f[2].push_back(v > 0 ? y * (12 - 3 * u - 20 * v) / (4 * v) : 0);
-    }
+    Channels f(1);
+    for (std::size_t k = 0; k < directions.size(); ++k) f[0].push_back(tree_.at(0, tree_point(directions, k)));
     return f;
   }
   std::string interpolation() const override { return "the nearest cell of the tree"; }
 
  private:
-  std::vector<TensorTree> trees_;
+  TensorTree tree_;
 };
 
 std::string angle_basis() {
@@ -128,7 +103,7 @@ Channels read_matrices(const XmlText& xml) {
   Channels matrices;
   for (const XmlText& data : xml.elements("WavelengthData")) {
     const auto wavelength = data.text("Wavelength");
-    if (std::find(matrix_channels.begin(), matrix_channels.end(), wavelength) == matrix_channels.end()) continue;
+    if (std::find(wavelengths.begin(), wavelengths.end(), wavelength) == wavelengths.end()) continue;
     for (const auto name : {"ColumnAngleBasis", "RowAngleBasis"})
       if (data.text(name) != klems_name) data.refuse(name, fmt::format("{}; only {} is read", data.text(name), klems_name));
     auto& matrix = matrices.emplace_back();
@@ -146,18 +121,18 @@ Channels read_matrices(const XmlText& xml) {
   return matrices;
 }
 
-std::vector<TensorTree> read_trees(const XmlText& xml) {
-  std::vector<TensorTree> trees;
+TensorTree read_tree(const XmlText& xml) {
   for (const XmlText& data : xml.elements("WavelengthData")) {
-    const auto wavelength = data.text("Wavelength");
-    if (std::find(tree_channels.begin(), tree_channels.end(), wavelength) == tree_channels.end()) continue;
+    if (data.text("Wavelength") != wavelengths.front()) {
+      data.refuse("Wavelength", fmt::format("{}; trees are read of luminance alone", data.text("Wavelength")));
+    }
     try {
-      trees.push_back(TensorTree::parsed(data.text("ScatteringData")));
+      return TensorTree::parsed(data.text("ScatteringData"));
     } catch (const BadInput& fault) {
       data.refuse("ScatteringData", fault.what());
     }
   }
-  return trees;
+  xml.refuse("WavelengthData", "is missing");
 }
 
 class RadianceFormat : public ExportFormat {
@@ -170,8 +145,10 @@ class RadianceFormat : public ExportFormat {
 
   void add_options(CLI::App& group) override {
     group
-        .add_option("--radiance-basis", basis_,
-                    "tree (default): tensor tree of rank 3, cells cut where f varies; klems: matrix of 145 x 145 Klems patches")
+        .add_option(
+            "--radiance-basis", basis_,
+            "tree: tensor tree of rank 3, cells cut where f varies (default for one band); klems: matrix of 145 x 145 Klems "
+            "patches (default for several, as colours)")
         ->check(CLI::IsMember({"tree", "klems"}));
     group
         .add_option("--radiance-values", values_,
@@ -190,10 +167,15 @@ class RadianceFormat : public ExportFormat {
     std::vector<std::string> notes;
     std::string definition;
     std::vector<std::string> data;
-    if (basis_ == "klems") {
+    const bool klems = basis_ == "klems" || (basis_.empty() && source.bands() > 1);
+    if (!klems && source.bands() > 1)
+      throw BadInput(
+          "--radiance-basis tree: Radiance mixes up the colours of a tensor tree of rank 3; klems holds them, and "
+          "--wavelength takes one band");
+    if (klems) {
       definition = fmt::format("<IncidentDataStructure>Columns</IncidentDataStructure>\n{}", angle_basis());
       const auto value = values_ == "average" ? PatchValue::average : PatchValue::centre;
-      for (const auto& matrix : matrix_colours(source, klems_matrix(source, value))) data.push_back(matrix_text(matrix));
+      for (const auto& matrix : colours(source, klems_matrix(source, value))) data.push_back(matrix_text(matrix));
     } else {
       definition = fmt::format("<IncidentDataStructure>{}</IncidentDataStructure>\n", tree_name);
       const TensorTree tree = grown(source);
@@ -212,8 +194,7 @@ class RadianceFormat : public ExportFormat {
         "<Name>{}</Name>\n<Manufacturer>{}</Manufacturer>\n<DeviceType>Other</DeviceType>\n</Material>\n<DataDefinition>\n"
         "{}</DataDefinition>\n",
         xml_escaped(source.material().name()), xml_escaped(program_source), definition);
-    for (std::size_t channel = 0; channel < data.size(); ++channel)
-      text += wavelength_data(source, channel, colour, data[channel]);
+    for (std::size_t channel = 0; channel < data.size(); ++channel) text += wavelength_data(source, klems, channel, data);
     text += "</Layer>\n</Optical>\n</WindowElement>\n";
     write_whole(file, text);
     return notes;
@@ -231,13 +212,12 @@ class RadianceFormat : public ExportFormat {
     const auto structure = xml.text("IncidentDataStructure");
     if (structure == "Columns")
       return std::make_unique<KlemsTable>(std::move(description), one_or_three(xml, read_matrices(xml)));
-    if (structure == tree_name) return std::make_unique<TreeTable>(std::move(description), one_or_three(xml, read_trees(xml)));
+    if (structure == tree_name) return std::make_unique<TreeTable>(std::move(description), read_tree(xml));
     xml.refuse("IncidentDataStructure", fmt::format("{}; Columns and {} are read", structure, tree_name));
   }
 
  private:
-  template <class Channel>
-  static std::vector<Channel> one_or_three(const XmlText& xml, std::vector<Channel> channels) {
+  static Channels one_or_three(const XmlText& xml, Channels channels) {
     if (channels.size() != 1 && channels.size() != 3)
       xml.refuse("WavelengthData", fmt::format("{} channels of luminance and colour; there must be 1 or 3", channels.size()));
     return channels;
@@ -253,7 +233,7 @@ class RadianceFormat : public ExportFormat {
         [&](const std::vector<TreePoint>& points) {
           Directions directions;
           for (const TreePoint& point : points) add(directions, point);
-          return tree_colours(source, source.evaluate(directions));
+          return source.evaluate(directions);
         },
         {.depth = depth_,
          .tolerance = tolerance_,
@@ -261,8 +241,9 @@ class RadianceFormat : public ExportFormat {
          .average = values_ == "average"});
   }
 
-  std::string wavelength_data(const ExportSource& source, std::size_t channel, bool colour, const std::string& data) const {
-    const bool klems = basis_ == "klems";
+  static std::string wavelength_data(const ExportSource& source, bool klems, std::size_t channel,
+                                     const std::vector<std::string>& data) {
+    const bool colour = data.size() == 3;
     const std::string basis =
         klems ? fmt::format("<ColumnAngleBasis>{0}</ColumnAngleBasis>\n<RowAngleBasis>{0}</RowAngleBasis>\n", klems_name)
               : "<AngleBasis>LBNL/Shirley-Chiu</AngleBasis>\n";
@@ -272,12 +253,11 @@ class RadianceFormat : public ExportFormat {
         "<SourceSpectrum>{}</SourceSpectrum>\n<DetectorSpectrum>{}</DetectorSpectrum>\n<WavelengthDataBlock>\n"
         "<WavelengthDataDirection>Reflection Back</WavelengthDataDirection>\n{}<ScatteringDataType>BRDF</ScatteringDataType>\n"
         "<ScatteringData>\n{}</ScatteringData>\n</WavelengthDataBlock>\n</WavelengthData>\n",
-        (klems ? matrix_channels : tree_channels)[channel],
-        colour ? fmt::format("CIE Illuminant {}", name_of(source.illuminant())) : "None", colour ? "CIE 1931 2 degree" : "None",
-        basis, data);
+        wavelengths[channel], colour ? fmt::format("CIE Illuminant {}", name_of(source.illuminant())) : "None",
+        colour ? "CIE 1931 2 degree" : "None", basis, data[channel]);
   }
 
-  std::string basis_ = "tree";
+  std::string basis_;
   std::string values_ = "average";
   int depth_ = 8;
   double tolerance_ = 0.1;

@@ -1,4 +1,4 @@
-// As much of XML as Radiance's BSDF files take.
+// As much of XML as Radiance's BSDF files and SVG take.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace brdftab {
 
-/// Text as it may stand between tags.
+/// Text as it may stand between tags and in attributes, without control characters, which XML does not have.
 std::string xml_escaped(std::string_view text);
 /// A line as it may stand in a comment, which two hyphens would end.
 std::string xml_comment(std::string_view line);
