@@ -13,11 +13,16 @@ namespace {
 constexpr std::size_t beginning_bytes = 4096;
 
 constexpr std::unique_ptr<ExportFormat> (*format_makers[])() = {
-    make_astm_format,   //
-    make_csv_format,    //
-    make_merl_format,   //
-    make_ssdd_format,   //
-    make_zemax_format,  //
+    make_astm_format,          //
+    make_bird_format,          //
+    make_csv_format,           //
+    make_eradiate_format,      //
+    make_merl_format,          //
+    make_openmaterial_format,  //
+    make_radiance_format,      //
+    make_rgl_format,           //
+    make_ssdd_format,          //
+    make_zemax_format,         //
 };
 
 }  // namespace

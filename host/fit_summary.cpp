@@ -6,6 +6,8 @@
 #include <cmath>
 #include <map>
 
+#include "host/integrals.hpp"
+
 namespace brdftab {
 namespace {
 
@@ -16,10 +18,10 @@ std::string name_of(const FitProblem& problem, const FitVariable& variable) {
   return fmt::format("{}[{}]", variable.row().name, problem.bands()[variable.bands.front()].channel);
 }
 
-std::vector<IncidenceRms> rms_by_incidence(const FitProblem& problem, const std::vector<double>& u) {
+std::vector<IncidenceFit> by_incidence(const Engine& engine, const FitProblem& problem, const std::vector<double>& u) {
   const auto parameters = problem.parameters(u);
   const auto evaluated = problem.batch().evaluate(parameters);
-  std::vector<IncidenceRms> result;
+  std::vector<IncidenceFit> result;
   for (std::size_t b = 0; b < problem.bands().size(); ++b) {
     const auto ratios = problem.log_ratios(evaluated[b], b);
     std::map<double, std::pair<double, std::size_t>> sums;
@@ -28,8 +30,15 @@ std::vector<IncidenceRms> rms_by_incidence(const FitProblem& problem, const std:
       squares += ratios[k] * ratios[k];
       ++count;
     }
-    for (const auto& [theta_i, sum] : sums)
-      result.push_back({problem.bands()[b].channel, theta_i, sum.second, std::sqrt(sum.first / static_cast<double>(sum.second))});
+    std::vector<double> angles;
+    for (const auto& [theta_i, sum] : sums) angles.push_back(theta_i);
+    const Dhr dhr = integrals(engine, {problem.bands()[b].wavelength_nm, parameters[b]}, problem.options().switches, angles).dhr;
+    for (const auto& [theta_i, sum] : sums) {
+      const auto angle = static_cast<std::size_t>(std::lower_bound(angles.begin(), angles.end(), theta_i) - angles.begin());
+      const double share_s = problem.options().share_s;
+      result.push_back({problem.bands()[b].channel, theta_i, sum.second, std::sqrt(sum.first / static_cast<double>(sum.second)),
+                        share_s * dhr.total(angle, Polarization::s) + (1 - share_s) * dhr.total(angle, Polarization::p)});
+    }
   }
   return result;
 }
@@ -71,9 +80,12 @@ FitSummary summarize(const Engine& engine, const FitProblem& problem, Fit fit, b
     if (summary.variables.back().poorly_known() && std::isfinite(error)) poorly_known.push_back(v);
   }
   summary.correlations = strongest_correlations(problem, summary.linear);
-  summary.incidences = rms_by_incidence(problem, fit.best.u);
+  summary.incidences = by_incidence(engine, problem, fit.best.u);
   summary.sufficiency = sufficiency(engine, problem, fit.best, summary.linear, poorly_known);
-  summary.rms = problem.rms(fit.best.u);
+  double squares = 0;
+  for (const IncidenceFit& at : summary.incidences) squares += at.rms * at.rms * static_cast<double>(at.samples);
+  summary.rms_of_samples = std::sqrt(squares / static_cast<double>(problem.samples()));
+  summary.rms_of_incidences = problem.rms(fit.best.u);
   summary.profiled = profile;
   summary.fit = std::move(fit);
   return summary;

@@ -31,11 +31,14 @@ struct Correlation {
   double value;
 };
 
-struct IncidenceRms {
+struct IncidenceFit {
   std::string channel;
-  double theta_i;
+  double theta_i;  // degrees
   std::size_t samples;
+  /// Of ln(model/data).
   double rms;
+  /// Of the fitted material, in the light of the measurement.
+  double dhr;
 };
 
 struct FitSummary {
@@ -45,9 +48,11 @@ struct FitSummary {
   LinearUncertainty linear;
   /// The strongest.
   std::vector<Correlation> correlations;
-  std::vector<IncidenceRms> incidences;
+  std::vector<IncidenceFit> incidences;
   std::vector<Sufficiency> sufficiency;
-  double rms;
+  /// Of ln(model/data), over all samples alike and over the mean squares of each incidence.
+  double rms_of_samples;
+  double rms_of_incidences;
   bool profiled;
 };
 
@@ -60,6 +65,7 @@ std::string summary_text(const FitProblem& problem, const FitSummary& summary);
 /// What a material file says besides its parameters.
 struct MaterialHeading {
   std::string name;
+  std::string description;
   std::string source;
   std::string command;
 };

@@ -53,6 +53,11 @@ std::string search_line(const FitSummary& summary) {
                      fit.best.converged ? "" : "; the best was still descending along a flat valley");
 }
 
+std::string rms_text(const FitSummary& summary) {
+  return fmt::format("all samples alike: {:.4g}, each incidence alike: {:.4g}", summary.rms_of_samples,
+                     summary.rms_of_incidences);
+}
+
 // A TOML basic string.
 std::string toml_string(std::string_view text) {
   std::string result = "\"";
@@ -95,10 +100,10 @@ std::string summary_text(const FitProblem& problem, const FitSummary& summary) {
     if (problem.options().choices[p].fixed)
       text += fmt::format("{:<20} {:>12.5g} {:>12}   {:<26} fixed\n", parameter_table[p].name,
                           *problem.options().choices[p].fixed, "-", "");
-  text += fmt::format("\nrms of ln(model/data), each incidence alike: {:.4g}\n", summary.rms);
-  for (const IncidenceRms& at : summary.incidences)
-    text += fmt::format("  {}theta_i = {:<8} {:.4g}   ({} samples)\n", problem.bands().size() > 1 ? at.channel + " " : "",
-                        shortest(at.theta_i), at.rms, at.samples);
+  text += fmt::format("\nrms of ln(model/data), {}\n", rms_text(summary));
+  for (const IncidenceFit& at : summary.incidences)
+    text += fmt::format("  {}theta_i = {:<8} {:.4g}   ({} samples)   DHR {:.4g}\n",
+                        problem.bands().size() > 1 ? at.channel + " " : "", shortest(at.theta_i), at.rms, at.samples, at.dhr);
   text += fmt::format("condition number of J^T J, columns of unit length: {:.2g}\n", summary.linear.condition);
   if (!summary.correlations.empty()) text += "strongest correlations\n";
   for (const Correlation& pair : summary.correlations)
@@ -120,11 +125,11 @@ std::string summary_text(const FitProblem& problem, const FitSummary& summary) {
 std::string material_text(const FitProblem& problem, const FitSummary& summary, const MaterialHeading& heading) {
   const FitOptions& options = problem.options();
   std::string text = fmt::format("name = {}\n", toml_string(heading.name));
-  text +=
-      fmt::format("description = {}\n", toml_string(fmt::format("fitted: rms of ln(model/data) {:.4g}, each incidence alike; {}",
-                                                                summary.rms, data_range(problem))));
+  if (!heading.description.empty()) text += fmt::format("description = {}\n", toml_string(heading.description));
   text += fmt::format("source = {}\n\n", toml_string(heading.source));
   text += fmt::format("# {}\n", heading.command);
+  text += fmt::format("# rms of ln(model/data), {}\n", rms_text(summary));
+  text += fmt::format("# {}\n", data_range(problem));
   text += fmt::format("# {}\n", search_line(summary));
   text += fmt::format("# condition number of J^T J {:.2g}; intervals by {}\n", summary.linear.condition,
                       summary.profiled ? "profile likelihood" : "standard errors");
@@ -133,12 +138,14 @@ std::string material_text(const FitProblem& problem, const FitSummary& summary, 
                       : options.share_s == 0 ? "p-polarised"
                                              : "unpolarised",
                       problem.beyond_max_theta(), shortest(options.max_theta), problem.below_floor(), shortest(options.floor));
-  text += "# rms by theta_i:";
-  if (problem.bands().size() == 1)
-    for (const IncidenceRms& at : summary.incidences) text += fmt::format(" {}: {:.3g}", shortest(at.theta_i), at.rms);
-  else
-    text += " see the fit's own output";
-  text += "\n\n[parameters]\n";
+  if (problem.bands().size() == 1) {
+    text += "# rms by theta_i:";
+    for (const IncidenceFit& at : summary.incidences) text += fmt::format(" {}: {:.3g}", shortest(at.theta_i), at.rms);
+    text += "\n# DHR by theta_i:";
+    for (const IncidenceFit& at : summary.incidences) text += fmt::format(" {}: {:.3g}", shortest(at.theta_i), at.dhr);
+    text += "\n";
+  }
+  text += "\n[parameters]\n";
   for (std::size_t p = 0; p < parameter_table.size(); ++p) text += parameter_line(summary, problem, 0, p) + "\n";
   std::string model;
   for (const SwitchRow& row : switch_table()) {

@@ -35,21 +35,28 @@ template kernel_f32::GradientConstants gradient_constants(const Parameters&);
 LogBrdfGradients::LogBrdfGradients(const Engine& engine, std::span<const DirectionPair> pairs, double share_s,
                                    const ModelSwitches& switches)
     : engine_(engine), pairs_(pairs.size()), share_s_(share_s), switches_(switches) {
-  if (switches.normalization != Normalization::hemispherical || switches.autocovariance != Autocovariance::lorentzian)
-    throw BadInput("a fit takes normalization = hemispherical and autocovariance = lorentzian: the others have no derivatives");
+  if (switches.normalization == Normalization::closed_form || switches.autocovariance != Autocovariance::lorentzian)
+    throw BadInput(
+        "a fit takes normalization = hemispherical or reciprocal and autocovariance = lorentzian: the others have no "
+        "derivatives");
   const std::size_t together = group * engine.directions_width();
   padded_ = (pairs.size() + together - 1) / together * together;
   std::vector<double> theta_i(padded_), theta_s(padded_), phi(padded_), angles;
-  std::vector<int> incidence(padded_);
+  std::vector<int> incidence(padded_), scatter(padded_);
   std::map<double, int> known;
+  const auto index_of = [&](double theta) {
+    const auto [at, is_new] = known.try_emplace(theta, static_cast<int>(angles.size()));
+    if (is_new) angles.push_back(theta);
+    return at->second;
+  };
   for (std::size_t k = 0; k < padded_; ++k) {
     const DirectionPair& pair = pairs[std::min(k, pairs.size() - 1)];
     theta_i[k] = pair.theta_i;
     theta_s[k] = pair.model_theta_s();
     phi[k] = pair.model_phi();
-    const auto [at, is_new] = known.try_emplace(pair.theta_i, static_cast<int>(angles.size()));
-    if (is_new) angles.push_back(pair.theta_i);
-    incidence[k] = at->second;
+    incidence[k] = index_of(theta_i[k]);
+    // N at theta_s matters for reciprocal normalisation only.
+    scatter[k] = switches.normalization == Normalization::reciprocal ? index_of(theta_s[k]) : incidence[k];
   }
   angles_ = angles.size();
   theta_ = engine.upload_polar_angles(angles);
@@ -57,6 +64,7 @@ LogBrdfGradients::LogBrdfGradients(const Engine& engine, std::span<const Directi
   theta_s_ = engine.upload_polar_angles(theta_s);
   phi_ = engine.upload(phi);
   incidence_ = engine.upload(incidence);
+  scatter_ = engine.upload(scatter);
 }
 
 LogBrdfValues LogBrdfGradients::evaluate(std::span<const Parameters> materials) const {
@@ -90,11 +98,11 @@ LogBrdfValues LogBrdfGradients::evaluate(std::span<const Parameters> materials) 
     engine_.run_items(normalizations, {angles_, 3, part.size()});
 
     cl::Kernel gradients = engine_.gradient_kernel("log_brdf_gradients");
-    set_arguments(gradients, theta_i_, theta_s_, phi_, incidence_, n, static_cast<cl_int>(angles_));
-    Engine::set_number(gradients, 6, engine_.working(), share_s_);
-    gradients.setArg(7, on_device);
-    gradients.setArg(8, out);
-    gradients.setArg(9, variant);
+    set_arguments(gradients, theta_i_, theta_s_, phi_, incidence_, scatter_, n, static_cast<cl_int>(angles_));
+    Engine::set_number(gradients, 7, engine_.working(), share_s_);
+    gradients.setArg(8, on_device);
+    gradients.setArg(9, out);
+    gradients.setArg(10, variant);
     engine_.queue().enqueueNDRangeKernel(gradients, cl::NullRange, {padded_ / engine_.directions_width(), part.size()},
                                          {group, 1});
     const auto numbers = engine_.download(out, part.size() * rows * padded_);

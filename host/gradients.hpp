@@ -33,7 +33,7 @@ class LogBrdfValues {
   std::size_t pairs_;
 };
 
-/// Lorentzian lobes with N per incidence only. N(theta_i) is integrated anew for each material.
+/// Lorentzian lobes with hemispherical or reciprocal N only, which is integrated anew for each material.
 class LogBrdfGradients {
  public:
   /// `share_s`: the part of s-polarised light; 1/2: unpolarised. The engine must outlive this. Throws BadInput for a
@@ -51,7 +51,7 @@ class LogBrdfGradients {
   std::size_t angles_;
   double share_s_;
   ModelSwitches switches_;
-  cl::Buffer theta_, theta_i_, theta_s_, phi_, incidence_;
+  cl::Buffer theta_, theta_i_, theta_s_, phi_, incidence_, scatter_;
 };
 
 }  // namespace brdftab

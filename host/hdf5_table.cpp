@@ -1,14 +1,11 @@
 #include "host/hdf5_table.hpp"
 
-#include <hdf5_hl.h>
-
 #include <algorithm>
-#include <map>
 #include <optional>
 
 #include "host/error.hpp"
 #include "host/hdf5_chunks.hpp"
-#include "host/hdf5_handle.hpp"
+#include "host/hdf5_file.hpp"
 #include "host/hdf5_view.hpp"
 #include "host/page_cache_window.hpp"
 #include "host/table_attributes.hpp"
@@ -19,30 +16,6 @@ namespace {
 hid_t stored_type(Precision precision) { return precision == Precision::float64 ? H5T_IEEE_F64LE : H5T_IEEE_F32LE; }
 
 hid_t memory_type(Precision precision) { return precision == Precision::float64 ? H5T_NATIVE_DOUBLE : H5T_NATIVE_FLOAT; }
-
-Hdf5Handle dataset_properties() {
-  Hdf5Handle creation(H5Pcreate(H5P_DATASET_CREATE), "dataset properties");
-  hdf5_check(H5Pset_obj_track_times(creation, false), "object times");
-  return creation;
-}
-
-// netCDF and h5netcdf keep the order of creation, and can append, only if the root tracks it.
-Hdf5Handle create_file(const std::filesystem::path& path, Layout layout) {
-  const Hdf5Handle creation(H5Pcreate(H5P_FILE_CREATE), "HDF5 file properties");
-  const unsigned order = H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED;
-  hdf5_check(H5Pset_link_creation_order(creation, order), "link order");
-  hdf5_check(H5Pset_attr_creation_order(creation, order), "attribute order");
-  // The same table is the same bytes, whenever it is made.
-  hdf5_check(H5Pset_obj_track_times(creation, false), "object times");
-  const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), "HDF5 file properties");
-  // Since 1.8 an attribute may exceed 64 KiB, as a material's text may. Views, and a short form of the strided
-  // selections that they may take, came with 1.10.
-  const auto newest = layout == Layout::virtual_view ? H5F_LIBVER_V110 : H5F_LIBVER_V18;
-  hdf5_check(H5Pset_libver_bounds(access, newest, newest), "HDF5 version");
-  // Made anew, not truncated: ext4 takes a truncated file for one that replaces another, and closing it for a flush.
-  std::filesystem::remove(path);
-  return Hdf5Handle(H5Fcreate(path.c_str(), H5F_ACC_EXCL, creation, access), path.string());
-}
 
 std::uint64_t sample_bytes(const TableContent& content) {
   return content.grid.directions() * content.material.bands().size() * content.polarizations.size() * bytes_of(content.precision);
@@ -65,29 +38,29 @@ class Hdf5Table : public TableWriter {
         precision_(content.precision),
         storage_(content.storage),
         rounding_attributes_(rounding_attributes(content)),
-        file_(create_file(path, content.storage.layout)),
+        file_(path, content.storage.layout == Layout::virtual_view ? H5F_LIBVER_V110 : H5F_LIBVER_V18),
         page_cache_(path, sample_bytes(content)) {
     if (storage_.deflate_level > 0) chunks_.emplace(content.grid, bytes_of(precision_), storage_.deflate_level);
-    write_attributes(Hdf5Handle(H5Gopen2(file_, "/", H5P_DEFAULT), path_.string()), content_attributes(content));
+    file_.write_attributes(content_attributes(content));
     if (content.material.has_wavelengths()) {
       std::vector<double> wavelengths;
       for (const auto& band : content.material.bands()) wavelengths.push_back(*band.wavelength_nm);
-      create_scale("wavelength", wavelengths, "nm", "wavelength", "radiation_wavelength");
+      file_.create_scale("wavelength", wavelengths, "nm", "wavelength", "radiation_wavelength");
       dimensions_.push_back("wavelength");
     }
     const Grid& grid = content.dense_grid;
     for (const Axis* axis : {&grid.theta_i, &grid.phi_i, &grid.theta_s, &grid.phi_s}) {
       const auto kind = axis->row().kind;
-      create_scale(std::string(axis->row().name), axis->nodes(), "degree", axis->row().long_name,
-                   kind == AxisKind::theta_i   ? "angle_of_incidence"
-                   : kind == AxisKind::theta_s ? "angle_of_emergence"
-                                               : "");
+      file_.create_scale(std::string(axis->row().name), axis->nodes(), "degree", axis->row().long_name,
+                         kind == AxisKind::theta_i   ? "angle_of_incidence"
+                         : kind == AxisKind::theta_s ? "angle_of_emergence"
+                                                     : "");
       dimensions_.emplace_back(axis->row().name);
     }
     stored_dimensions_ = dimensions_;
     if (storage_.layout == Layout::virtual_view) {
       const std::string long_name = "azimuth of scatter from that of incidence, phi_s - phi_i; its period is 360 degrees";
-      create_scale("phi", content.grid.phi_s.nodes(), "degree", long_name, "");
+      file_.create_scale("phi", content.grid.phi_s.nodes(), "degree", long_name, "");
       stored_dimensions_.erase(stored_dimensions_.end() - 3);
       stored_dimensions_.back() = "phi";
     }
@@ -96,7 +69,7 @@ class Hdf5Table : public TableWriter {
       if (storage_.layout == Layout::virtual_view) create_view(polarization, grid);
     }
     // A killed run leaves a file that opens and whose written part reads.
-    hdf5_check(H5Fflush(file_, H5F_SCOPE_LOCAL), path_.string());
+    hdf5_check(H5Fflush(file_.id(), H5F_SCOPE_LOCAL), path_.string());
   }
 
   void write(std::size_t polarization, std::size_t band, const Slab& slab, std::span<const std::byte> samples) override {
@@ -123,12 +96,9 @@ class Hdf5Table : public TableWriter {
 
   void finish(const TableFindings& findings) override {
     write_integrals(findings.integrals);
-    Hdf5Handle root(H5Gopen2(file_, "/", H5P_DEFAULT), path_.string());
-    write_attributes(root, findings_attributes(findings));
-    root = Hdf5Handle();
-    scales_.clear();
+    file_.write_attributes(findings_attributes(findings));
     samples_.clear();
-    file_.close(path_.string());
+    file_.close();
   }
 
  private:
@@ -146,36 +116,16 @@ class Hdf5Table : public TableWriter {
     if (dimensions_.size() == 5) dimensions.insert(dimensions.begin(), "wavelength");
     for (const auto& integral : integral_variables(bands)) {
       const Hdf5Handle variable =
-          create_variable(integral.name, dimensions, H5T_IEEE_F64LE, "1", integral.long_name, dataset_properties());
+          file_.create_variable(integral.name, dimensions, H5T_IEEE_F64LE, "1", integral.long_name, hdf5_dataset_properties());
       hdf5_check(H5Dwrite(variable, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, integral.values.data()), path_.string());
     }
-  }
-
-  static void write_attributes(hid_t object, const std::vector<AttributeInfo>& attributes) {
-    for (const auto& attribute : attributes)
-      std::visit([&](const auto& value) { write_attribute(object, attribute.name, value); }, attribute.value);
-  }
-
-  void create_scale(const std::string& name, std::span<const double> nodes, std::string_view units, std::string_view long_name,
-                    std::string_view standard_name) {
-    const hsize_t count = nodes.size();
-    const Hdf5Handle space(H5Screate_simple(1, &count, nullptr), name);
-    Hdf5Handle dataset(H5Dcreate2(file_, name.c_str(), H5T_IEEE_F64LE, space, H5P_DEFAULT, dataset_properties(), H5P_DEFAULT),
-                       name);
-    hdf5_check(H5Dwrite(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, nodes.data()), path_.string());
-    hdf5_check(H5DSset_scale(dataset, name.c_str()), name);
-    write_attribute(dataset, "units", units);
-    write_attribute(dataset, "long_name", long_name);
-    if (!standard_name.empty()) write_attribute(dataset, "standard_name", standard_name);
-    sizes_[name] = count;
-    scales_.emplace(name, std::move(dataset));
   }
 
   Hdf5Handle create_brdf(Polarization polarization, const std::string& name, const std::vector<std::string>& dimensions,
                          const Hdf5Handle& creation) {
     Hdf5Handle dataset =
-        create_variable(name, dimensions, stored_type(precision_), "sr-1", brdf_long_name(polarization), creation);
-    write_attributes(dataset, rounding_attributes_);
+        file_.create_variable(name, dimensions, stored_type(precision_), "sr-1", brdf_long_name(polarization), creation);
+    brdftab::write_attributes(dataset, rounding_attributes_);
     return dataset;
   }
 
@@ -188,53 +138,34 @@ class Hdf5Table : public TableWriter {
   }
 
   void create_view(Polarization polarization, const Grid& grid) {
-    const Hdf5Handle creation = dataset_properties();
-    set_view(creation, shape_of(dimensions_), stored_name(polarization), shape_of(stored_dimensions_),
+    const Hdf5Handle creation = hdf5_dataset_properties();
+    set_view(creation, file_.shape_of(dimensions_), stored_name(polarization), file_.shape_of(stored_dimensions_),
              relative_azimuth(grid.phi_i, grid.phi_s).pieces);
     create_brdf(polarization, std::string(brdf_name(polarization)), dimensions_, creation);
   }
 
-  std::vector<hsize_t> shape_of(const std::vector<std::string>& dimensions) const {
-    std::vector<hsize_t> shape;
-    for (const auto& dimension : dimensions) shape.push_back(sizes_.at(dimension));
-    return shape;
-  }
-
   // Every node is written, so nothing is filled. What is not compressed is contiguous and allocated at once.
   Hdf5Handle sample_storage() const {
-    Hdf5Handle creation = dataset_properties();
+    Hdf5Handle creation = hdf5_dataset_properties();
     hdf5_check(H5Pset_fill_time(creation, H5D_FILL_TIME_NEVER), "fill time");
     if (chunks_) {
       const Chunk& chunk = chunks_->shape();
       chunks_->set_filters(creation,
-                           coordinates(1, chunk.theta_i, chunk.phi_i, chunk.theta_s, shape_of(stored_dimensions_).back()));
+                           coordinates(1, chunk.theta_i, chunk.phi_i, chunk.theta_s, file_.shape_of(stored_dimensions_).back()));
     } else {
       hdf5_check(H5Pset_alloc_time(creation, H5D_ALLOC_TIME_EARLY), "allocation time");
     }
     return creation;
   }
 
-  Hdf5Handle create_variable(const std::string& name, const std::vector<std::string>& dimensions, hid_t type,
-                             std::string_view units, const std::string& long_name, const Hdf5Handle& creation) {
-    const std::vector<hsize_t> shape = shape_of(dimensions);
-    const Hdf5Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), name);
-    Hdf5Handle dataset(H5Dcreate2(file_, name.c_str(), type, space, H5P_DEFAULT, creation, H5P_DEFAULT), path_.string());
-    for (unsigned k = 0; k < dimensions.size(); ++k) hdf5_check(H5DSattach_scale(dataset, scales_.at(dimensions[k]), k), name);
-    write_attribute(dataset, "units", units);
-    write_attribute(dataset, "long_name", long_name);
-    return dataset;
-  }
-
   std::filesystem::path path_;
   Precision precision_;
   TableStorage storage_;
   std::vector<AttributeInfo> rounding_attributes_;
-  Hdf5Handle file_;
+  Hdf5File file_;
   PageCacheWindow page_cache_;
   std::vector<std::string> dimensions_;
   std::vector<std::string> stored_dimensions_;
-  std::map<std::string, hsize_t> sizes_;
-  std::map<std::string, Hdf5Handle> scales_;
   std::vector<Hdf5Handle> samples_;
   std::optional<Hdf5Chunks> chunks_;
 };

@@ -26,6 +26,8 @@ constexpr CommandRow command_table[] = {
     {"integrate", "Integrate a material over the hemisphere: N, DHR and BHR", integrate_command},
     {"fit", "Fit the fourteen parameters to a measured BRDF", fit_command},
     {"validate", "Read a table back and compare it with the scalar reference", validate_command},
+    {"plot", "Draw a material or a table: curves, maps, shadowing, reflectance, comparison", plot_command},
+    {"report", "Write a page about a table or a material: pictures, figures, a map with a slider", report_command},
     {"info", "Show what a table holds", info_command},
     {"bench", "Measure kernels against the device's store rate and the scalar reference", bench_command},
     {"devices", "List the OpenCL devices and how to select each", devices_command},
@@ -55,17 +57,22 @@ std::string joined(int argc, char** argv) {
   return line;
 }
 
+void add_quiet(CLI::App& parser, CommonOptions& common) {
+  parser.add_flag("-q,--quiet", common.quiet, "No talk on standard error but errors");
+}
+
 int run(int argc, char** argv) {
   CLI::App app{"brdftab: tables of the Renhorn-Boreman BRDF of rough surfaces, computed with OpenCL", "brdftab"};
   CommonOptions common;
   common.command_line = joined(argc, argv);
   app.set_version_flag("--version", program_source);
   app.require_subcommand(1);
+  add_quiet(app, common);
   std::function<ExitStatus()> chosen;
   for (const auto& row : command_table) {
     CLI::App* parser = app.add_subcommand(row.name, row.summary);
     parser->set_version_flag("--version", program_source);
-    parser->add_flag("-q,--quiet", common.quiet, "No talk on standard error but errors");
+    add_quiet(*parser, common);
     parser->callback([&chosen, run_command = row.command(*parser, common)] { chosen = run_command; });
   }
   if (argc > 1 && argv[1][0] != '-' && std::none_of(std::begin(command_table), std::end(command_table), [&](const auto& row) {

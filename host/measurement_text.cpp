@@ -3,6 +3,7 @@
 #include "host/measurement_text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <sstream>
@@ -28,14 +29,56 @@ std::vector<double> numbers_of(std::string line, const std::string& where) {
   return numbers;
 }
 
-void add(Measurement& measurement, double theta_i, double theta_s, double phi, double brdf, std::size_t channel,
+/// Radians. `phi` is from the incident azimuth, 0 towards retro-reflection. Lists over a closed hemisphere have samples at its
+/// rim, where neither f nor a model of it has a value: false.
+bool add(Measurement& measurement, double theta_i, double theta_s, double phi, double brdf, std::size_t channel,
          const std::string& where, std::size_t line) {
-  MeasuredSample sample{.pair = {degrees(theta_i), degrees(theta_s), degrees(phi), line}, .brdf = brdf, .channel = channel};
+  MeasuredSample sample{
+      .pair = {degrees(theta_i), degrees(theta_s), degrees(phi - std::numbers::pi), line}, .brdf = brdf, .channel = channel};
+  if (sample.pair.theta_i == 90 || sample.pair.theta_s == 90) return false;
   for (const auto& [name, theta] : {std::pair{"theta_i", sample.pair.theta_i}, {"theta_s", sample.pair.theta_s}})
     if (!(theta >= 0 && theta < 90))
       throw BadInput("{}: {} = {} degrees: must be a number from 0 to below 90 degrees", where, name, shortest(theta));
   if (!std::isfinite(sample.pair.phi) || std::isinf(brdf)) throw BadInput("{}: an azimuth or a value is not finite", where);
   measurement.samples.push_back(sample);
+  return true;
+}
+
+void warn_of_rim(Measurement& measurement, std::size_t samples) {
+  if (samples > 0) measurement.warnings.push_back(fmt::format("{} samples at theta = 90 degrees: set aside", samples));
+}
+
+struct DirectionsRadians {
+  double theta_i, theta_s, phi;
+};
+
+/// How a line's first numbers give directions; phi as `add` takes it.
+struct AltaParametrization {
+  std::string_view name;
+  std::size_t inputs;
+  DirectionsRadians (*directions)(const double*);
+};
+
+constexpr std::array<AltaParametrization, 3> alta_parametrizations{{
+    {"SPHERICAL_TL_PL_TV_PV", 4,
+     [](const double* x) {
+       return DirectionsRadians{x[0], x[2], x[3] - x[1]};
+     }},
+    {"ISOTROPIC_TV_TL_DPHI", 3,
+     [](const double* x) {
+       return DirectionsRadians{x[1], x[0], x[2]};
+     }},
+    {"ISOTROPIC_TL_TV_PROJ_DPHI", 3,
+     [](const double* x) {
+       return DirectionsRadians{x[0], std::hypot(x[1], x[2]), std::atan2(x[2], x[1])};
+     }},
+}};
+
+const AltaParametrization& alta_parametrization(const std::string& name, const std::string& where) {
+  for (const auto& row : alta_parametrizations)
+    if (row.name == name) return row;
+  throw BadInput("{}: PARAM_IN {}: must be {}, {} or {}", where, excerpt(name), alta_parametrizations[0].name,
+                 alta_parametrizations[1].name, alta_parametrizations[2].name);
 }
 
 }  // namespace
@@ -45,7 +88,8 @@ Measurement read_alta_measurement(std::istream& in, const std::string& source) {
   measurement.source = source;
   std::size_t inputs = 0;
   std::size_t outputs = 0;
-  bool isotropic = false;
+  const AltaParametrization* parametrization = &alta_parametrizations[0];
+  std::size_t at_rim = 0;
   bool cosine = false;
   std::size_t line = 0;
   for (std::string text; std::getline(in, text);) {
@@ -62,9 +106,7 @@ Measurement read_alta_measurement(std::istream& in, const std::string& source) {
         inputs = static_cast<std::size_t>(parse_number(value).value_or(0));
         outputs = static_cast<std::size_t>(parse_number(second).value_or(0));
       } else if (key == "PARAM_IN") {
-        isotropic = value == "ISOTROPIC_TV_TL_DPHI";
-        if (!isotropic && value != "SPHERICAL_TL_PL_TV_PV")
-          throw BadInput("{}: PARAM_IN {}: must be SPHERICAL_TL_PL_TV_PV or ISOTROPIC_TV_TL_DPHI", where, excerpt(value));
+        parametrization = &alta_parametrization(value, where);
       } else if (key == "PARAM_OUT") {
         cosine = value == "INV_STERADIAN_COSINE_FACTOR";
         if (!cosine && value != "INV_STERADIAN" && value != "RGB_COLOR")
@@ -75,27 +117,27 @@ Measurement read_alta_measurement(std::istream& in, const std::string& source) {
       }
       continue;
     }
-    if (inputs != (isotropic ? 3u : 4u) || outputs < 1 || outputs > 10000)
+    if (inputs != parametrization->inputs || outputs < 1 || outputs > 10000)
       throw BadInput("{}: the header must give #DIM with {} angles and at least one value, and #PARAM_IN", where,
-                     isotropic ? 3 : 4);
+                     parametrization->inputs);
     if (measurement.channels.empty())
       for (std::size_t c = 0; c < outputs; ++c)
         measurement.channels.push_back(outputs == 1 ? "" : outputs == 3 ? std::string(1, "RGB"[c]) : std::to_string(c + 1));
     const auto numbers = numbers_of(text, where);
     if (numbers.size() < inputs + outputs)
       throw BadInput("{}: has {} numbers where #DIM says {}", where, numbers.size(), inputs + outputs);
-    const double theta_i = isotropic ? numbers[1] : numbers[0];
-    const double theta_s = isotropic ? numbers[0] : numbers[2];
-    const double phi = (isotropic ? numbers[2] : numbers[3] - numbers[1]) - std::numbers::pi;
+    const auto [theta_i, theta_s, phi] = parametrization->directions(numbers.data());
     for (std::size_t c = 0; c < outputs; ++c)
-      add(measurement, theta_i, theta_s, phi, numbers[inputs + c] / (cosine ? std::cos(theta_s) : 1), c, where, line);
+      at_rim += !add(measurement, theta_i, theta_s, phi, numbers[inputs + c] / (cosine ? std::cos(theta_s) : 1), c, where, line);
   }
+  warn_of_rim(measurement, at_rim);
   return measurement;
 }
 
 Measurement read_astm_measurement(std::istream& in, const std::string& source) {
   Measurement measurement;
   measurement.source = source;
+  std::size_t at_rim = 0;
   std::size_t line = 0;
   for (std::string text; std::getline(in, text);) {
     const std::string where = fmt::format("{}:{}", source, ++line);
@@ -116,8 +158,9 @@ Measurement read_astm_measurement(std::istream& in, const std::string& source) {
     if (numbers.size() != 4 + measurement.channels.size())
       throw BadInput("{}: has {} numbers where VARS names {}", where, numbers.size(), 4 + measurement.channels.size());
     for (std::size_t c = 0; c < measurement.channels.size(); ++c)
-      add(measurement, numbers[0], numbers[2], numbers[3] - numbers[1] - std::numbers::pi, numbers[4 + c], c, where, line);
+      at_rim += !add(measurement, numbers[0], numbers[2], numbers[3] - numbers[1], numbers[4 + c], c, where, line);
   }
+  warn_of_rim(measurement, at_rim);
   if (measurement.channels.empty()) throw BadInput("{}:1: has no line VARS theta_i,phi_i,theta_s,phi_s,...", source);
   return measurement;
 }

@@ -8,8 +8,9 @@
 
 namespace brdftab {
 
-/// ALTA text: `#DIM`, `#PARAM_IN SPHERICAL_TL_PL_TV_PV` or `ISOTROPIC_TV_TL_DPHI`, `#PARAM_OUT INV_STERADIAN[_COSINE_FACTOR]`
-/// or `RGB_COLOR`; radians, directions away from the surface.
+/// ALTA text: `#DIM`, `#PARAM_IN SPHERICAL_TL_PL_TV_PV`, `ISOTROPIC_TV_TL_DPHI` or `ISOTROPIC_TL_TV_PROJ_DPHI`, `#PARAM_OUT
+/// INV_STERADIAN[_COSINE_FACTOR]` or `RGB_COLOR`; radians, directions away from the surface. Samples at 90 degrees are set
+/// aside and counted, here and in ASTM text.
 Measurement read_alta_measurement(std::istream& in, const std::string& source);
 
 /// ASTM E1392 text as Cornell writes it: `VARS theta_i,phi_i,theta_s,phi_s,CHANNEL...`; radians, directions away from the

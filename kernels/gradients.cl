@@ -17,11 +17,11 @@ __kernel void normalization_gradients(__global const scalar *restrict theta, int
     n[((material * LOBE_COUNT + lobe) * N_COMPONENTS + k) * angles + angle] = gradient.component[k];
 }
 
-// ln f and d ln f/d parameter of each pair: out[material][1 + PARAMETER_COUNT][pairs]. Angles in degrees; incidence: the
-// index of theta_i among the angles of n. Global size: pairs / BRDFTAB_WIDTH x materials.
+// ln f and d ln f/d parameter of each pair: out[material][1 + PARAMETER_COUNT][pairs]. Angles in degrees; incidence, scatter:
+// the indices of theta_i and theta_s among the angles of n. Global size: pairs / BRDFTAB_WIDTH x materials.
 __kernel void log_brdf_gradients(__global const scalar *restrict theta_i, __global const scalar *restrict theta_s,
                                  __global const scalar *restrict phi, __global const int *restrict incidence,
-                                 __global const scalar *restrict n, int angles, scalar share_s,
+                                 __global const int *restrict scatter, __global const scalar *restrict n, int angles, scalar share_s,
                                  __global const GradientConstants *restrict materials, __global scalar *restrict out,
                                  ModelVariant variant)
 {
@@ -29,15 +29,19 @@ __kernel void log_brdf_gradients(__global const scalar *restrict theta_i, __glob
   const size_t vectors = get_global_size(0);
   const size_t material = get_global_id(1);
   const GradientConstants g = materials[material];
-  real n_i[LOBE_COUNT * N_COMPONENTS];
+  real pair_n[LOBE_COUNT * N_COMPONENTS];
   for (int c = 0; c < LOBE_COUNT * N_COMPONENTS; ++c) {
-    scalar lane[BRDFTAB_WIDTH];
-    for (int l = 0; l < BRDFTAB_WIDTH; ++l)
-      lane[l] = n[(material * LOBE_COUNT * N_COMPONENTS + c) * angles + incidence[k * BRDFTAB_WIDTH + l]];
-    n_i[c] = LOAD(0, lane);
+    __global const scalar *by_angle = n + (material * LOBE_COUNT * N_COMPONENTS + c) * angles;
+    scalar lane_i[BRDFTAB_WIDTH];
+    scalar lane_s[BRDFTAB_WIDTH];
+    for (int l = 0; l < BRDFTAB_WIDTH; ++l) {
+      lane_i[l] = by_angle[incidence[k * BRDFTAB_WIDTH + l]];
+      lane_s[l] = by_angle[scatter[k * BRDFTAB_WIDTH + l]];
+    }
+    pair_n[c] = pair_normalization_gradient(c % N_COMPONENTS, LOAD(0, lane_i), LOAD(0, lane_s), variant);
   }
   const LogBrdfGradient f = log_brdf_gradient(polar_gradient(LOAD(k, theta_i), g, variant), polar_gradient(LOAD(k, theta_s), g, variant),
-                                              azimuth_factors(LOAD(k, phi)), n_i, share_s, g, variant);
+                                              azimuth_factors(LOAD(k, phi)), pair_n, share_s, g, variant);
   const size_t first = material * (1 + PARAMETER_COUNT) * vectors + k;
   STORE(f.ln_f, first, out);
   for (int c = 0; c < PARAMETER_COUNT; ++c)

@@ -1,4 +1,4 @@
-// ln f and its derivatives by the fourteen parameters, for Lorentzian lobes with N per incidence.
+// ln f and its derivatives by the fourteen parameters, for Lorentzian lobes with hemispherical or reciprocal N.
 #pragma once
 #include "fresnel_gradient.h"
 #include "gradient.h"
@@ -29,7 +29,16 @@ typedef struct {
   real by[PARAMETER_COUNT];  // d ln f / d parameter
 } LogBrdfGradient;
 
-// n: [LOBE_COUNT][N_COMPONENTS] at theta_i; share_s: the part of s-polarised light, 1/2 where it is unpolarised.
+// A component of N, or of the derivatives of ln N, between two directions; that at theta_s is read for reciprocal
+// normalisation only.
+FN real pair_normalization_gradient(int component, real n_i, real n_s, ModelVariant variant)
+{
+  if (component == N_VALUE)
+    return pair_normalization(n_i, n_s, variant);
+  return variant.normalization == NORMALIZATION_RECIPROCAL ? REAL(0.5) * (n_i + n_s) : n_i;
+}
+
+// n: [LOBE_COUNT][N_COMPONENTS] between the two directions; share_s: the part of s-polarised light, 1/2 where it is unpolarised.
 FN LogBrdfGradient log_brdf_gradient(PolarGradient i, PolarGradient s, AzimuthFactors azimuth, const real *n,
                                      scalar share_s, GradientConstants constants, ModelVariant variant)
 {

@@ -154,6 +154,7 @@ class Generate(InFolder):
         self.assertEqual(result.returncode, DONE, result.stderr)
         self.assertIn("t.h5", result.stderr)
         self.assertEqual(self.generate(VINYL, "-q", "-o", self.folder / "quiet.h5").stderr, "")
+        self.assertEqual(run("-q", "generate", VINYL, "-o", self.folder / "silent.h5").stderr, "")
 
     def test_several_materials_into_a_folder(self):
         materials = sorted(MATERIALS.glob("*.toml"))

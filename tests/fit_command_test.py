@@ -1,11 +1,14 @@
 """fit from outside: a synthetic measurement to a material file, and what bad data get."""
 
+import collections
 import csv
 import io
+import math
 import re
+import statistics
 import unittest
-import xml.etree.ElementTree
 
+from picture import Picture
 from program import BAD_INPUT, CHECK_FAILED, DONE, FILE, MATERIALS, InFolder, run
 
 HEADER = "theta_i_deg,theta_s_deg,phi_s_deg,brdf_per_sr,channel\n"
@@ -33,13 +36,14 @@ class Fit(InFolder):
                       "24 starts", "theta_i = 80"):
             self.assertIn(words, result.stdout)
         self.assertRegex(result.stderr, r"% of it in kernels")
-        pictures = {path.name: xml.etree.ElementTree.parse(path) for path in (self.folder / "report").iterdir()}
+        pictures = {path.name: path for path in (self.folder / "report").iterdir()}
         self.assertEqual(sorted(pictures), ["correlations.svg", "fit.svg", "residuals.svg", "shadowing.svg"])
-        svg = "{http://www.w3.org/2000/svg}"
-        # A dot for each sample and a line for each incidence.
-        self.assertEqual(len(pictures["fit.svg"].findall(f".//{svg}circle")), 105)
-        self.assertEqual(len(pictures["fit.svg"].findall(f".//{svg}path[@fill='none']")), 5)
-        self.assertEqual(len(pictures["residuals.svg"].findall(f".//{svg}circle")), 105)
+        # A dot for each sample and a curve for each incidence.
+        for name, curves in (("fit.svg", 5), ("residuals.svg", 0)):
+            series = Picture(pictures[name]).data["panels"][0]["series"]
+            self.assertEqual(sum(len(s["x"]) for s in series if s["marks"] == "dots"), 105)
+            self.assertEqual(sum(s["marks"] == "line" for s in series), curves)
+        self.assertIn("σsurface", Picture(pictures["correlations.svg"], data=False).texts())
         text = material.read_text()
         for words in ('name = "a paint"', "rms of ln(model/data)", "bounds 0.0001 to 100", "made up; data.csv", "brdftab fit ",
                       "theta_i 0 to 80 degrees"):
@@ -47,8 +51,19 @@ class Fit(InFolder):
         fitted = run("evaluate", material, stdin=PAIRS)
         self.assertEqual(fitted.returncode, DONE, fitted.stderr)
         truth = run("evaluate", MATERIALS / "garnet-red-paint.toml", stdin=PAIRS)
-        for ours, theirs in zip(csv.DictReader(io.StringIO(fitted.stdout)), csv.DictReader(io.StringIO(truth.stdout))):
+        model = list(csv.DictReader(io.StringIO(fitted.stdout)))
+        for ours, theirs in zip(model, csv.DictReader(io.StringIO(truth.stdout))):
             self.assertAlmostEqual(float(ours["brdf"]) / float(theirs["brdf"]), 1, delta=0.12, msg=str(ours))
+        measured = csv.DictReader(line for line in data.read_text().splitlines() if not line.startswith("#"))
+        squares = collections.defaultdict(list)
+        for ours, theirs in zip(model, measured):
+            squares[float(ours["theta_i_deg"])].append(math.log(float(ours["brdf"]) / float(theirs["brdf"])) ** 2)
+        samples = math.sqrt(statistics.fmean(value for at in squares.values() for value in at))
+        incidences = math.sqrt(statistics.fmean(statistics.fmean(at) for at in squares.values()))
+        self.assertIn(f"all samples alike: {samples:.4g}, each incidence alike: {incidences:.4g}\n", result.stdout)
+        integrals = run("integrate", material, "--theta-i", ",".join(f"{angle:g}" for angle in squares))
+        for row in csv.DictReader(line for line in integrals.stdout.splitlines() if not line.startswith("#")):
+            self.assertRegex(result.stdout, rf"theta_i = {float(row['theta_i_deg']):g} .*DHR {float(row['dhr']):.4g}\n")
 
     def test_polarised_light_is_fitted_as_such(self):
         data = self.synthetic()
@@ -63,6 +78,19 @@ class Fit(InFolder):
             else:
                 self.assertGreater(rms, 1e-3)
 
+    def test_a_variant_is_fitted_as_such(self):
+        variant = self.folder / "variant.toml"
+        variant.write_text((MATERIALS / "garnet-red-paint.toml").read_text() + '\n[model]\nnormalization = "reciprocal"\n')
+        data = self.folder / "data.csv"
+        self.assertEqual(run("evaluate", variant, "-o", data, stdin=PAIRS).returncode, DONE)
+        output = self.folder / "x.toml"
+        for options, fits in ((["--model", "normalization=reciprocal"], True), ([], False)):
+            result = run("fit", data, "-o", output, "--force", "--floor", "0", "--starts", "16", "--intervals", "linear", *options)
+            self.assertEqual(result.returncode, DONE, result.stderr)
+            rms = float(re.search(r"each incidence alike: (\S+)", result.stdout).group(1))
+            self.assertEqual(rms < 1e-3, fits, result.stdout)
+            self.assertEqual('normalization = "reciprocal"' in output.read_text(), fits)
+
     def test_bad_data_and_options_are_one_line(self):
         good = HEADER + "".join(f"{i},{s},0,0.1,a\n" for i in (10, 50) for s in range(-60, 61, 5))
         output = self.folder / "out.toml"
@@ -76,7 +104,7 @@ class Fit(InFolder):
                  (good, ["--fix", "k_ef=0"], "--fix k_ef=0"),
                  (good, ["--bounds", "w=3:1"], "LOW must be below HIGH"),
                  (good, ["--weights", "sigma"], "takes a column sigma"),
-                 (good, ["--model", "normalization=reciprocal"], "no derivatives"),
+                 (good, ["--model", "normalization=closed-form"], "no derivatives"),
                  (good, ["--model", "shading=none"], "--model shading=none"),
                  (good, ["--floor", "1"], "no sample"),
                  ("\n".join(good.split("\n")[:10]) + "\n", [], "samples are left for 14 free parameters")]

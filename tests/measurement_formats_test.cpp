@@ -55,6 +55,23 @@ TEST(AltaMeasurement, TakesTheCosineOutAndKnowsChannels) {
   EXPECT_EQ(m.channels, (std::vector<std::string>{"R", "G", "B"}));
 }
 
+TEST(AltaMeasurement, ReadsProjectedAzimuthsAndSetsTheRimAside) {
+  const auto m = read(
+      read_alta_measurement,
+      "#DIM 3 1\n#PARAM_IN ISOTROPIC_TL_TV_PROJ_DPHI\n#PARAM_OUT INV_STERADIAN\n" +
+          fmt::format("{0:.17g} {0:.17g} 0 2\n{0:.17g} {1:.17g} 1e-16 3\n", 15 * radian, -40 * radian) +
+          fmt::format("{:.17g} {:.17g} {:.17g} 4\n0.2 -1.57079632679489656 1e-16 5\n", 15 * radian, 30 * radian, -40 * radian));
+  ASSERT_EQ(m.samples.size(), 3u);
+  EXPECT_NEAR(cosine_of_phi(m.samples[0]), -1, 1e-12) << "light and view on one side: backward";
+  EXPECT_EQ(m.samples[0].pair.theta_s, 15);
+  EXPECT_NEAR(cosine_of_phi(m.samples[1]), 1, 1e-12);
+  EXPECT_EQ(m.samples[1].pair.theta_s, 40);
+  EXPECT_NEAR(m.samples[2].pair.theta_s, 50, 1e-6) << "sides of 30 and 40 degrees";
+  EXPECT_NEAR(cosine_of_phi(m.samples[2]), -0.6, 1e-7);
+  ASSERT_EQ(m.warnings.size(), 1u);
+  EXPECT_NE(m.warnings[0].find("1 samples at theta = 90 degrees"), std::string::npos) << m.warnings[0];
+}
+
 TEST(AltaMeasurement, RefusesOtherParametrisations) {
   EXPECT_NE(refusal(read_alta_measurement, "#DIM 3 1\n#PARAM_IN RUSIN_TH_TD_PD\n0 0 0 1\n").find("data:2: PARAM_IN RUSIN"),
             std::string::npos);

@@ -27,6 +27,8 @@ std::function<ExitStatus()> evaluate_command(CLI::App&, const CommonOptions&);
 std::function<ExitStatus()> integrate_command(CLI::App&, const CommonOptions&);
 std::function<ExitStatus()> fit_command(CLI::App&, const CommonOptions&);
 std::function<ExitStatus()> validate_command(CLI::App&, const CommonOptions&);
+std::function<ExitStatus()> plot_command(CLI::App&, const CommonOptions&);
+std::function<ExitStatus()> report_command(CLI::App&, const CommonOptions&);
 std::function<ExitStatus()> info_command(CLI::App&, const CommonOptions&);
 std::function<ExitStatus()> bench_command(CLI::App&, const CommonOptions&);
 std::function<ExitStatus()> devices_command(CLI::App&, const CommonOptions&);

@@ -26,6 +26,7 @@ struct Options {
   std::string share = "geometry";
   std::string intervals;
   std::string name;
+  std::string description;
   std::string source;
   std::string report;
   std::vector<std::string> fixed;
@@ -137,11 +138,18 @@ ExitStatus run(const Options& given, const CommonOptions& common) {
   const Fit found = fit(problem);
   const FitSummary summary = summarize(engine, problem, found, profile);
   const std::string name = options.name.empty() ? std::filesystem::path(options.data).stem().string() : options.name;
-  const std::string material = material_text(problem, summary, {name, source_line(options), common.command_line});
+  const std::string material =
+      material_text(problem, summary, {name, options.description, source_line(options), common.command_line});
   write(*file, options.output, material);
   if (!options.report.empty()) write_fit_pictures(engine, problem, summary, options.report, options.force);
   const std::string text = summary_text(problem, summary);
   std::fwrite(text.data(), 1, text.size(), stdout);
+  const auto brightest = std::max_element(summary.incidences.begin(), summary.incidences.end(),
+                                          [](const auto& a, const auto& b) { return a.dhr < b.dhr; });
+  if (brightest->dhr > 1)
+    say(common,
+        fmt::format("warning: the fitted material's DHR reaches {:.4g} at theta_i = {} degrees: the model does not bound it",
+                    brightest->dhr, shortest(brightest->theta_i)));
   const double all = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   say(common,
       fmt::format(
@@ -186,6 +194,7 @@ std::function<ExitStatus()> fit_command(CLI::App& parser, const CommonOptions& c
       ->check(CLI::IsMember({"profile", "linear"}));
   parser.add_option("--report", options->report, "Folder for pictures (SVG): fit, residuals, V_m, correlations");
   parser.add_option("--name", options->name, "Of the material; default: the file's");
+  parser.add_option("--description", options->description, "Of the material, for its file");
   parser.add_option("--source", options->source, "Of the measurement, for the material file");
   parser.add_option("--format", options->measurement.format, "Of the measurement; default: by its extension")
       ->check(CLI::IsMember({"csv", "alta", "astm", "zemax", "merl"}));

@@ -1,0 +1,45 @@
+#include "host/pictures/in_plane.hpp"
+
+#include <cmath>
+
+#include "host/numbers.hpp"
+#include "host/pictures/smooth_curve.hpp"
+
+namespace brdftab {
+namespace {
+
+constexpr double nearly_in_plane = 3;
+constexpr double outermost = 89.9;
+
+}  // namespace
+
+std::optional<double> in_plane_theta_s(const DirectionPair& pair) {
+  const double phi = std::remainder(pair.model_phi(), 360);
+  if (pair.model_theta_s() == 0 || std::abs(phi) <= nearly_in_plane) return pair.model_theta_s();
+  if (180 - std::abs(phi) <= nearly_in_plane) return -pair.model_theta_s();
+  return std::nullopt;
+}
+
+ChartAxis theta_s_axis() { return {"scatter angle θ_s (degrees; forward side positive)", -90, 90, false, 30}; }
+
+ChartAxis narrow_theta_s_axis() { return {"θ_s (degrees)", -90, 90, false, 30}; }
+
+std::string incidence_label(double theta_i) { return shortest(theta_i) + "°"; }
+
+std::vector<std::vector<ChartPoint>> in_plane_curves(std::span<const double> theta_i, const BrdfAt& brdf) {
+  std::vector<std::vector<double>> starts;
+  for (const double angle : theta_i) {
+    const double peaks[] = {0, angle, -angle};
+    starts.push_back(curve_starts(-outermost, outermost, 1, peaks));
+  }
+  return smooth_curves(
+      starts,
+      [&](std::span<const CurvePlace> places) {
+        std::vector<DirectionPair> pairs;
+        for (const CurvePlace& place : places) pairs.push_back({theta_i[place.curve], place.x, 0, 0});
+        return brdf(pairs);
+      },
+      true);
+}
+
+}  // namespace brdftab

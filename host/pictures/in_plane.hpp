@@ -1,0 +1,34 @@
+// Directions in the plane of incidence: theta_s with the sign of its side, forward positive.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "host/direction_list.hpp"
+#include "host/pictures/chart.hpp"
+
+namespace brdftab {
+
+inline constexpr const char* brdf_axis_label = "BRDF f_r (sr^{−1})";
+inline constexpr double usual_incidences[] = {0, 10, 20, 30, 40, 50, 60, 70, 80};  // degrees, as the paper's Fig. 3
+
+/// Signed theta_s of a sample, where it is within 3 degrees of azimuth of the plane.
+std::optional<double> in_plane_theta_s(const DirectionPair& pair);
+
+/// -90 to 90 degrees; with a short name for panels beside each other.
+ChartAxis theta_s_axis();
+ChartAxis narrow_theta_s_axis();
+
+/// An entry of a legend.
+std::string incidence_label(double theta_i);
+
+/// f at directions, in 1/sr.
+using BrdfAt = std::function<std::vector<double>(std::span<const DirectionPair>)>;
+
+/// A smooth curve of f over theta_s from -89.9 to 89.9 degrees for each theta_i, for a logarithmic axis.
+std::vector<std::vector<ChartPoint>> in_plane_curves(std::span<const double> theta_i, const BrdfAt& brdf);
+
+}  // namespace brdftab

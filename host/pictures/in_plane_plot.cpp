@@ -1,0 +1,166 @@
+// Curves of f in the plane of incidence.
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "host/error.hpp"
+#include "host/numbers.hpp"
+#include "host/pictures/in_plane.hpp"
+#include "host/pictures/plot.hpp"
+#include "host/pictures/smooth_curve.hpp"
+#include "host/pictures/table_slice.hpp"
+
+namespace brdftab {
+namespace {
+
+constexpr double node_radius = 1.3;
+constexpr double same_incidence = 0.01;  // degrees, of a measured sample and a curve
+constexpr std::size_t most_measured = 9;
+// Below the weakest total; what lies deeper of a lobe does not matter to f.
+constexpr double lobe_decades = 2;
+
+// Beyond this theta_s, shadowing may take f to nothing, and curves leave through the axis.
+constexpr double farthest_low = 80;
+
+using MeasuredPoints = std::map<double, std::vector<ChartPoint>>;  // by theta_i
+
+MeasuredPoints in_plane_points(const Measurement& data) {
+  MeasuredPoints points;
+  for (const MeasuredSample& sample : data.samples)
+    if (const auto theta_s = in_plane_theta_s(sample.pair)) points[sample.pair.theta_i].push_back({*theta_s, sample.brdf});
+  if (points.empty()) throw BadInput("{}: no sample lies in the plane of incidence", data.source);
+  return points;
+}
+
+std::vector<double> incidences(const Subject& subject, const PlotOptions& options, const MeasuredPoints& measured) {
+  if (options.theta_i) {
+    if (subject.is_table()) subject.nodes_theta_i(*options.theta_i);
+    return *options.theta_i;
+  }
+  if (measured.empty() || subject.is_table()) return subject.usual_theta_i(usual_incidences);
+  std::vector<double> angles;
+  for (const std::size_t k : spread_indices(measured.size(), most_measured))
+    angles.push_back(std::next(measured.begin(), static_cast<std::ptrdiff_t>(k))->first);
+  return angles;
+}
+
+std::vector<ChartPoint> at_incidence(const MeasuredPoints& measured, double theta_i) {
+  for (const auto& [angle, points] : measured)
+    if (std::abs(angle - theta_i) <= same_incidence) return points;
+  return {};
+}
+
+ChartAxis axis_around(const std::vector<Panel>& panels) {
+  double low = HUGE_VAL, high = 0;
+  for (const Panel& panel : panels)
+    for (const Series& series : panel.series)
+      for (const ChartPoint& point : series.points) {
+        high = std::max(high, point.y);
+        if (point.y > 0 && std::abs(point.x) <= farthest_low) low = std::min(low, point.y);
+      }
+  return logarithmic_axis(brdf_axis_label, low, high);
+}
+
+Chart in_plane_chart(std::span<const Subject> subjects, const PlotOptions& options, const EngineSource& engine) {
+  const Polarization polarization = drawn_polarization(subjects, options);
+  const MeasuredPoints measured = options.data ? in_plane_points(*options.data) : MeasuredPoints{};
+  Chart chart{.title = picture_title(subjects, "BRDF in the plane of incidence"),
+              .subtitle = light_text(subjects[0], options, polarization),
+              .legend_title = "incidence θ_i",
+              .notes = {},
+              .colours = Colours::steps,
+              .columns = 2,
+              .panels = {}};
+  const auto labels = subject_labels(subjects);
+  bool any_table = false;
+  for (std::size_t k = 0; k < subjects.size(); ++k) {
+    const Subject& subject = subjects[k];
+    const std::size_t band = subject.band(options.wavelength_nm);
+    const auto theta_i = incidences(subject, options, measured);
+    const DrawnModel model(engine(), subject, band, polarization);
+    Panel panel{.title = subjects.size() > 1 ? labels[k] : "",
+                .x = subjects.size() > 1 ? narrow_theta_s_axis() : theta_s_axis(),
+                .y = {}};
+    const auto curves = in_plane_curves(theta_i, [&](std::span<const DirectionPair> pairs) { return model.brdf(pairs); });
+    for (std::size_t i = 0; i < theta_i.size(); ++i) panel.line(incidence_label(theta_i[i]), curves[i]);
+    for (std::size_t i = 0; i < theta_i.size(); ++i) {
+      if (subject.is_table() && measured.empty()) {
+        const auto node = subject.nodes_theta_i({&theta_i[i], 1})[0];
+        panel.dots(incidence_label(theta_i[i]), TableSlice::read(subject, node, band, polarization).in_plane(), node_radius);
+        any_table = true;
+      }
+      if (auto points = at_incidence(measured, theta_i[i]); !points.empty())
+        panel.dots(incidence_label(theta_i[i]), std::move(points));
+    }
+    chart.panels.push_back(std::move(panel));
+  }
+  if (any_table) chart.notes = {"curves: the model", "dots: nodes of the table"};
+  if (!measured.empty()) chart.notes = {"curves: the model", "dots: measured"};
+  const ChartAxis y = axis_around(chart.panels);
+  for (Panel& panel : chart.panels) panel.y = y;
+  return chart;
+}
+
+}  // namespace
+
+std::string in_plane_plot(std::span<const Subject> subjects, const PlotOptions& options, const EngineSource& engine) {
+  return in_plane_chart(subjects, options, engine).svg();
+}
+
+std::string polar_plot(std::span<const Subject> subjects, const PlotOptions& options, const EngineSource& engine) {
+  Chart chart = in_plane_chart(subjects, options, engine);
+  chart.polar = true;
+  chart.columns = 1;
+  chart.panel_height = 300;
+  chart.subtitle += "; the angle is θ_s, forward side to the right, the radius log f";
+  return chart.svg();
+}
+
+std::string lobes_plot(std::span<const Subject> subjects, const PlotOptions& options, const EngineSource& engine) {
+  const Polarization polarization = drawn_polarization(subjects, options);
+  Chart chart{.title = picture_title(subjects, "BRDF in the plane of incidence, by lobe"),
+              .subtitle = light_text(subjects[0], options, polarization),
+              .legend_title = "incidence θ_i",
+              .notes = {},
+              .colours = Colours::steps,
+              .columns = 2,
+              .panels = {}};
+  const auto labels = subject_labels(subjects);
+  std::vector<Panel> totals;
+  for (std::size_t k = 0; k < subjects.size(); ++k) {
+    const DrawnModel model(engine(), subjects[k], subjects[k].band(options.wavelength_nm), polarization);
+    const auto theta_i = incidences(subjects[k], options, {});
+    const auto add = [&](std::string_view name, const auto& values) {
+      Panel panel{.title = std::string(name), .x = narrow_theta_s_axis(), .y = {}};
+      const auto curves = in_plane_curves(theta_i, values);
+      bool scatters = false;
+      for (std::size_t i = 0; i < theta_i.size(); ++i) {
+        scatters |= std::any_of(curves[i].begin(), curves[i].end(), [](const ChartPoint& point) { return point.y > 0; });
+        panel.line(incidence_label(theta_i[i]), curves[i]);
+      }
+      if (!scatters) {
+        panel.series.clear();
+        panel.note = "scatters nothing";
+      }
+      chart.panels.push_back(std::move(panel));
+    };
+    add("all lobes", [&](std::span<const DirectionPair> pairs) { return model.brdf(pairs); });
+    if (subjects.size() > 1) chart.panels.back().heading = labels[k];
+    totals.push_back(chart.panels.back());
+    for (const Lobe lobe : {Lobe::surface, Lobe::bulk, Lobe::retro})
+      add(fmt::format("{} lobe", lobe_names[static_cast<std::size_t>(lobe)]),
+          [&](std::span<const DirectionPair> pairs) { return model.brdf(lobe, pairs); });
+  }
+  const ChartAxis around = axis_around(totals);
+  const ChartAxis y = logarithmic_axis(around.label, around.low * std::pow(10, -lobe_decades), around.high / 1.06, 9);
+  for (Panel& panel : chart.panels) {
+    panel.y = y;
+    const bool seen = std::any_of(panel.series.begin(), panel.series.end(), [&](const Series& series) {
+      return std::any_of(series.points.begin(), series.points.end(), [&](const ChartPoint& p) { return p.y > y.low; });
+    });
+    if (!panel.series.empty() && !seen) panel.note = "below the axis";
+  }
+  return chart.svg();
+}
+
+}  // namespace brdftab

@@ -1,0 +1,179 @@
+"""Radiance's files, judged by Radiance's own library."""
+
+import itertools
+import json
+import math
+import random
+import subprocess
+import unittest
+
+import numpy
+
+import reference
+import wheels
+from program import BAD_INPUT, DONE, MATERIALS, VINYL, InFolder, run
+
+SHEETING = MATERIALS / "yellow-retro-sheeting.toml"
+
+# The library's own perturbation of each cell, which depends on its place, is up to 3e-4.
+PERTURBED = 1e-3
+
+# Directions of vectors away from the surface. The library is asked in a process for each file: it does not bear several.
+QUERY = """
+import json, sys
+from pyradiance import bsdf
+data = bsdf.load_file(sys.argv[1])
+asked = json.load(sys.stdin)
+values = [list(bsdf.query(data, *map(float, pair))) for pair in asked["pairs"]]
+hemispherical = [bsdf.direct_hemi(data, float(theta), 0.0, bsdf.SAMPLE_ALL) for theta in asked["theta_i"]]
+json.dump([values, hemispherical], sys.stdout)
+"""
+
+# theta of the centre, from, to, patches: "LBNL/Klems Full" as WINDOW's documentation lists it.
+KLEMS = [(0, 0, 5, 1), (10, 5, 15, 8), (20, 15, 25, 16), (30, 25, 35, 20), (40, 35, 45, 24), (50, 45, 55, 24),
+         (60, 55, 65, 24), (70, 65, 75, 16), (82.5, 75, 90, 12)]
+
+
+def radiance(file, pairs=(), theta_i=()):
+    """X, Y, Z in 1/sr at (theta_i, phi_i, theta_s, phi_s) of the model, and DHR at theta_i, as Radiance gets them."""
+    vectors = [(i, phi_i + 180, s, phi_s) for i, phi_i, s, phi_s in pairs]
+    result = subprocess.run([wheels.interpreter("simulators"), "-c", QUERY, file], capture_output=True, text=True, timeout=120,
+                            input=json.dumps({"pairs": vectors, "theta_i": list(theta_i)}))
+    assert result.returncode == 0, result.stderr
+    return json.loads(result.stdout)
+
+
+def directions(pairs):
+    return [(i, s, phi_s - phi_i) for i, phi_i, s, phi_s in pairs]
+
+
+def dhr(material, theta_i):
+    result = run("integrate", material, "--theta-i", ",".join(map(str, theta_i)))
+    assert result.returncode == DONE, result.stderr
+    return [float(row["dhr"]) for row in reference.rows(result.stdout)]
+
+
+def disk(a, b):
+    """Shirley and Chiu: the unit square to direction cosines, as (radius, azimuth in degrees)."""
+    a, b = 2 * a - 1, 2 * b - 1
+    if a == b == 0:
+        return 0.0, 0.0
+    if abs(a) > abs(b):
+        radius, eighths = a, b / a
+    else:
+        radius, eighths = b, 2 - a / b
+    return abs(radius), 45 * eighths + (180 if radius < 0 else 0)
+
+
+class Written(InFolder):
+    def written(self, material, *options):
+        file = self.folder / "file.xml"
+        result = run("generate", material, "-o", file, "--force", *options)
+        self.assertEqual(result.returncode, DONE, result.stderr)
+        return file
+
+    def assert_luminances(self, file, pairs, expected, tolerance):
+        for pair, (_, found, _), value in zip(pairs, radiance(file, pairs)[0], expected, strict=True):
+            self.assertAlmostEqual(found / value, 1, delta=tolerance,
+                                   msg=f"theta_i, phi_i, theta_s, phi_s = {pair}: {found}, and {value} expected")
+
+
+class Klems(Written):
+    def patches(self, count):
+        """Pairs of patches: incidence and scatter as (first, last, azimuth, width), and the pair of their centres."""
+        draw = random.Random(7)
+        for _ in range(count):
+            ends, centre = [], []
+            for theta, first, last, patches in (draw.choice(KLEMS), draw.choice(KLEMS)):
+                phi = 360 * draw.randrange(patches) / patches
+                ends.append((first, last, phi, 360 / patches))
+                centre += [theta, phi]
+            yield *ends, tuple(centre)
+
+    def test_centres(self):
+        for material in (VINYL, SHEETING):
+            file = self.written(material, "--radiance-basis", "klems", "--radiance-values", "centre")
+            pairs = [centre for _, _, centre in self.patches(300)]
+            self.assert_luminances(file, pairs, reference.brdf(material, directions(pairs)), PERTURBED)
+
+    def test_averages_are_weighted_by_projected_solid_angles(self):
+        file = self.written(VINYL, "--radiance-basis", "klems")
+        nodes, weights = numpy.polynomial.legendre.leggauss(6)
+        pairs, expected = [], []
+        for incidence, scatter, centre in self.patches(12):
+            if min(incidence[1], scatter[1]) < 6 or min(incidence[1], scatter[1]) > 75:
+                continue  # too wide, or too narrow a lobe, for so few nodes
+            axes = []
+            for first, last, phi, width in (incidence, scatter):
+                low, high = (math.sin(math.radians(theta))**2 for theta in (first, last))
+                axes.append([math.degrees(math.asin(math.sqrt((low + high + node * (high - low)) / 2))) for node in nodes])
+                axes.append([phi + node * width / 2 for node in nodes])
+            f = reference.brdf(VINYL, directions(itertools.product(*axes)))
+            over = numpy.prod(list(itertools.product(weights / 2, repeat=4)), axis=1)
+            pairs.append(centre)
+            expected.append(float(over @ f))
+        self.assert_luminances(file, pairs, expected, PERTURBED)
+
+    def test_reflectance(self):
+        file = self.written(VINYL, "--radiance-basis", "klems")
+        _, found = radiance(file, theta_i=[0, 30, 50])
+        for value, expected in zip(found, dhr(VINYL, [0, 30, 50]), strict=True):
+            self.assertAlmostEqual(value / expected, 1, delta=0.02)
+
+
+class Tree(Written):
+    def test_centres(self):
+        # Without refinement where f varies less than tenfold, cells are eighths of the cube's edge.
+        file = self.written(VINYL, "--radiance-values", "centre", "--radiance-tolerance", "10", "--radiance-depth", "3")
+        pairs = []
+        for k, a, b in itertools.product(range(4), range(8), range(8)):
+            radius, phi = disk((a + 0.5) / 8, (b + 0.5) / 8)
+            theta_i = math.degrees(math.asin(1 - 2 * (k + 0.5) / 8))
+            pairs.append((theta_i, 33, math.degrees(math.asin(radius)), 33 + phi))
+        self.assert_luminances(file, pairs, reference.brdf(VINYL, directions(pairs)), PERTURBED)
+
+    def test_averages(self):
+        file = self.written(VINYL, "--radiance-tolerance", "10", "--radiance-depth", "3")
+        k, a, b = 2, 5, 1
+        centres, corners = [], []
+        for i, j, l in itertools.product((k, k + 0.5), (a, a + 0.5), (b, b + 0.5)):
+            radius, phi = disk((j + 0.25) / 8, (l + 0.25) / 8)
+            corners.append((math.degrees(math.asin(1 - 2 * (i + 0.25) / 8)), 0, math.degrees(math.asin(radius)), phi))
+        radius, phi = disk((a + 0.5) / 8, (b + 0.5) / 8)
+        centres.append((math.degrees(math.asin(1 - 2 * (k + 0.5) / 8)), 0, math.degrees(math.asin(radius)), phi))
+        f = reference.brdf(VINYL, directions(corners))
+        self.assert_luminances(file, centres, [sum(f) / 8], PERTURBED)
+
+    def test_golden_direction(self):
+        (theta_i, theta_s, phi), expected = reference.off_plane()
+        file = self.written(VINYL, "--radiance-tolerance", "0.03")
+        self.assert_luminances(file, [(theta_i, 100, theta_s, 100 + phi)], [expected], 0.03)
+
+    def test_specular_and_retro_peaks(self):
+        file = self.written(SHEETING)
+        scan = [(40, 33, theta, 33 + phi) for phi in (0, 180) for theta in range(0, 81, 2)]
+        values = [y for _, y, _ in radiance(file, scan)[0]]
+        # Forward a reflection at 40 degrees, backward the retro-reflection.
+        forward, backward = values[:41], values[41:]
+        self.assertEqual(2 * max(range(41), key=forward.__getitem__), 40)
+        self.assertEqual(2 * max(range(41), key=backward.__getitem__), 40)
+
+    def test_reflectance(self):
+        for material in (VINYL, SHEETING):
+            _, found = radiance(self.written(material), theta_i=[1, 30, 60])
+            for value, expected in zip(found, dhr(material, [1, 30, 60]), strict=True):
+                self.assertAlmostEqual(value / expected, 1, delta=0.02)
+
+    def test_interpolation_is_within_the_tolerance_asked(self):
+        draw = random.Random(3)
+        pairs = [(draw.uniform(0, 60), 0, draw.uniform(0, 60), draw.uniform(0, 360)) for _ in range(500)]
+        f = reference.brdf(VINYL, directions(pairs))
+        for tolerance in (0.3, 0.1):
+            found = radiance(self.written(VINYL, "--radiance-tolerance", tolerance), pairs)[0]
+            errors = sorted(abs(y / value - 1) for (_, y, _), value in zip(found, f, strict=True))
+            self.assertLess(errors[475], tolerance)
+            self.assertGreater(errors[475], tolerance / 10)
+
+
+if __name__ == "__main__":
+    unittest.main()
