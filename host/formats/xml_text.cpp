@@ -57,7 +57,11 @@ std::pair<std::size_t, std::size_t> find_element(std::string_view text, std::str
 
 }  // namespace
 
-std::string xml_escaped(std::string_view text) { return replaced(text, "&<>\""); }
+std::string xml_escaped(std::string_view text) {
+  std::string result = replaced(text, "&<>\"");
+  std::erase_if(result, [](char c) { return static_cast<unsigned char>(c) < 0x20 && c != '\n'; });
+  return result;
+}
 
 std::string xml_comment(std::string_view line) { return replaced(line, "&-"); }
 

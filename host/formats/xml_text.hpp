@@ -7,7 +7,8 @@
 
 namespace brdftab {
 
-/// Text as it may stand between tags.
+/// Text as it may stand between tags, and in attributes; control characters but ends of lines, which XML cannot hold, are left
+/// out.
 std::string xml_escaped(std::string_view text);
 /// A line as it may stand in a comment, which two hyphens would end.
 std::string xml_comment(std::string_view line);

@@ -49,23 +49,6 @@ std::vector<Piece> pieces_of(std::string_view text) {
 
 }  // namespace
 
-std::string xml_escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '<')
-      result += "&lt;";
-    else if (c == '>')
-      result += "&gt;";
-    else if (c == '&')
-      result += "&amp;";
-    else if (c == '"')
-      result += "&quot;";
-    else if (static_cast<unsigned char>(c) >= 0x20 || c == '\n')
-      result += c;
-  }
-  return result;
-}
-
 std::string literal(std::string_view text) {
   std::string result;
   for (const char c : text) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "host/formats/xml_text.hpp"
 #include "host/pictures/palette.hpp"
 
 namespace brdftab {
@@ -68,9 +69,6 @@ class Svg {
   std::set<std::string> dark_rules_;
   std::size_t clips_ = 0;
 };
-
-/// Text as XML has it, in content and in attributes.
-std::string xml_escaped(std::string_view text);
 
 /// Text that Svg::text shows as it is.
 std::string literal(std::string_view text);
