@@ -204,7 +204,7 @@ std::string worst_text(const Worst& worst, const ChartAxis& scale) {
   const std::string size = !(worst.ratio > 0)  ? "one is no positive number"
                            : scale.logarithmic ? fmt::format("ratio {:.4g}", worst.ratio)
                                                : fmt::format("{:+.3g}", worst.ratio - 1);
-  return fmt::format("largest difference: {} at θ_i = {:.6g}°, θ_s = {:.6g}°, φ = {:.6g}°", size, worst.theta_i, worst.theta_s,
+  return fmt::format("largest difference: {} at θ_i = {:.5g}°, θ_s = {:.5g}°, φ = {:.5g}°", size, worst.theta_i, worst.theta_s,
                      worst.phi);
 }
 

@@ -111,11 +111,12 @@ std::string HemisphereFigure::svg() const {
   const double above_map = map_title_space + (headed ? heading_space : 0);
   const double step_y = above_map + 2 * radius + below_map;
   const double maps_right = margin + left_of_maps + static_cast<double>(across) * step_x - gap;
-  double foot_width = margin + left_of_maps + 320 + text_width(footnote, foot_size);
-  if (footnote.empty()) foot_width -= 80;
+  const double keys_width = margin + left_of_maps + (footnote.empty() ? 240 : 380);
+  const double foot_width = std::max(keys_width, margin + left_of_maps + 1.1 * text_width(footnote, foot_size));
+  const double footnote_space = footnote.empty() ? 0 : 20;
   const double width = std::ceil(std::max(
       {maps_right + bar_space, 2 * margin + text_width(title, 16, true), 2 * margin + text_width(subtitle, 12.5), foot_width}));
-  const double height = std::ceil(head + static_cast<double>(rows) * step_y + 30);
+  const double height = std::ceil(head + static_cast<double>(rows) * step_y + 30 + footnote_space);
   Svg svg(width, height);
   svg.text(margin, 26, title, {.anchor = "start", .size = 16, .bold = true});
   svg.text(margin, 45, subtitle, {.anchor = "start", .size = 12.5, .ink = inks::faint_text});
@@ -179,7 +180,7 @@ std::string HemisphereFigure::svg() const {
     last_label = y;
   }
   svg.text(bar.right + 56, bar.middle_y(), scale.label, {.size = 12.5, .turned = -90});
-  const double foot = height - 12;
+  const double foot = height - 12 - footnote_space;
   double x = margin + left_of_maps;
   const auto key = [&](const char* label, auto draw) {
     // On a patch of the scale, so that marks look as they do on the maps.
@@ -192,7 +193,7 @@ std::string HemisphereFigure::svg() const {
   key("retro-reflection", [&](double at, double y) { small_ring(svg, at, y, 4); });
   if (std::any_of(maps.begin(), maps.end(), [](const auto& map) { return map.marked.has_value(); }))
     key("largest difference", [&](double at, double y) { small_ring(svg, at, y, 4), small_ring(svg, at, y, 7); });
-  svg.text(x, foot, footnote, {.anchor = "start", .size = 11.5, .ink = inks::faint_text});
+  svg.text(margin + left_of_maps - 8, height - 12, footnote, {.anchor = "start", .size = foot_size, .ink = inks::faint_text});
   return svg.document(
       plain_text(title),
       fmt::format(R"({{"title":{},"scale":{{"label":{},"low":{:.9g},"high":{:.9g},"logarithmic":{}}},"maps":[{}]}})",

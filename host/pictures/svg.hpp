@@ -6,7 +6,6 @@
 #include <string>
 #include <string_view>
 
-#include "host/formats/xml_text.hpp"
 #include "host/pictures/palette.hpp"
 #include "host/xml_text.hpp"
 
