@@ -42,8 +42,8 @@ class Draw {
       const double theta_i = theta(std::min(last_i_, last_s_));
       const double distance = std::pow(10, between(-3, std::log10(30)));
       const SurfaceVector at = about_specular(theta_i, distance, between(-180, 180));
-      if (at.theta() > last_s_) continue;
-      result.add(theta_i, at.theta(), at.phi() + (result.size() % 2 ? 180 : 0));
+      // A grid that ends near the normal has few of them: its rim stands for those beyond.
+      result.add(theta_i, std::min(at.theta(), last_s_), at.phi() + (result.size() % 2 ? 180 : 0));
     }
     return result;
   }

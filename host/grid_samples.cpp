@@ -59,7 +59,20 @@ std::vector<double> azimuths_away_from_surface(const Grid& grid) {
 }
 
 GridSamples::GridSamples(std::array<std::vector<double>, 4> axes, std::vector<std::vector<double>> values)
-    : axes_(std::move(axes)), values_(std::move(values)) {}
+    : axes_(std::move(axes)), values_(std::move(values)) {
+  std::size_t nodes = 1;
+  for (const AxisRow& row : axis_table) {
+    const auto& axis = axes_[static_cast<std::size_t>(row.kind)];
+    nodes *= axis.size();
+    // Written so that a nan is refused too.
+    const bool increases =
+        std::adjacent_find(axis.begin(), axis.end(), [](double a, double b) { return !(a < b); }) == axis.end();
+    if (axis.empty() || !std::isfinite(axis.front()) || !std::isfinite(axis.back()) || !increases)
+      throw BadInput("the file's {}: its angles must be finite and increase strictly", row.name);
+  }
+  for (const auto& channel : values_)
+    if (channel.size() != nodes) throw BadInput("the file has {} samples where its axes have {} nodes", channel.size(), nodes);
+}
 
 GridSamples GridSamples::from_rows(const std::vector<std::vector<double>>& columns, const std::string& source) {
   const std::size_t rows = columns.front().size();

@@ -19,7 +19,8 @@ std::vector<double> azimuths_away_from_surface(const Grid& grid);
 
 class GridSamples {
  public:
-  /// Axes in degrees, increasing, with the model's azimuths; `values` [channel][theta_i][phi_i][theta_s][phi_s].
+  /// Axes in degrees, with the model's azimuths; `values` [channel][theta_i][phi_i][theta_s][phi_s]. Throws BadInput where an
+  /// axis does not increase or the sizes do not agree.
   GridSamples(std::array<std::vector<double>, 4> axes, std::vector<std::vector<double>> values);
 
   /// From a list of samples in any order: theta_i, phi_i, theta_s, phi_s and the channels' values in each row of

@@ -54,6 +54,9 @@ std::string joined(int argc, char** argv) {
                                             "_-+=:,./%") == std::string_view::npos;
     line += plain ? fmt::format(" {}", word) : fmt::format(" '{}'", word);
   }
+  // It stands in one line of files' comments.
+  std::replace_if(
+      line.begin(), line.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, '?');
   return line;
 }
 

@@ -59,11 +59,11 @@ std::pair<std::size_t, std::size_t> find_element(std::string_view text, std::str
 
 std::string xml_escaped(std::string_view text) {
   std::string result = replaced(text, "&<>\"");
-  std::erase_if(result, [](unsigned char c) { return c < 0x20 && c != '\n'; });
+  std::erase_if(result, [](unsigned char c) { return c < 0x20 && c != '\n' && c != '\t'; });
   return result;
 }
 
-std::string xml_comment(std::string_view line) { return replaced(line, "&-"); }
+std::string xml_comment(std::string_view line) { return replaced(line, "&<-"); }
 
 std::vector<XmlText> XmlText::elements(std::string_view name) const {
   std::vector<XmlText> found;

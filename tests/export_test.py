@@ -401,6 +401,20 @@ class Validation(Written):
         file.write_bytes(file.read_bytes()[:-8])
         self.assert_refused_validate(file, BAD_INPUT, "fewer")
 
+    def test_axes_that_do_not_increase(self):
+        file = self.generate("a.ssdd", *AXES)
+        lines = file.read_text().split("\n")
+        at, = [k for k, line in enumerate(lines) if line.startswith("PARAM2_LIST")]
+        lines[at] = "PARAM2_LIST " + " ".join(reversed(lines[at].split()[1:]))
+        file.write_text("\n".join(lines))
+        self.assert_refused_validate(file, BAD_INPUT, "increase strictly")
+
+    def test_a_grid_at_the_normal_and_a_name_of_two_lines(self):
+        material = self.folder / "two\nlines.toml"
+        material.write_text(VINYL.read_text())
+        file = self.generate("a.csv", "--theta-i", "30", "--theta-s", "0", "--phi-s", "0:360:90", material=material)
+        self.assertEqual(run("validate", file, "--tolerance", "1").returncode, DONE)
+
 
 class Options(Written):
     def refused(self, *options, material=VINYL, status=BAD_INPUT, parts=()):
@@ -436,6 +450,12 @@ class Options(Written):
         strip = lambda file: [line for line in file.read_text().split("\n") if not line.startswith("# 20")]
         first = self.generate("a.ssdd", *AXES)
         self.assertEqual(strip(first), strip(self.generate("b.ssdd", *AXES, material=table)))
+
+    def test_all_materials_are_checked_before_the_first_is_written(self):
+        self.refused(self.bands, "--format", "eradiate", "-o", f"{self.folder}/", parts=("bands.toml", "--wavelength"))
+
+    def test_more_samples_than_memory_takes(self):
+        self.refused("-o", self.folder / "a.csv", "--phi-s", "0:360:0.01", parts=("samples", "at most"))
 
     def test_several_materials_into_a_folder(self):
         materials = sorted(MATERIALS.glob("*.toml"))[:2]

@@ -10,6 +10,8 @@
 namespace brdftab {
 namespace {
 
+// These files are made whole in memory, about 150 bytes a sample.
+constexpr std::size_t most_samples = 20'000'000;
 constexpr const char* shared_group = "Files for simulators";
 
 std::string group_of(const ExportFormat& format) {
@@ -48,24 +50,33 @@ void ExportOption::check(const CLI::App& parser, const ExportFormat* chosen) con
   }
 }
 
-void ExportOption::write(const Engine& engine, const ExportFormat& format, const MaterialOutput& output, const Grid& grid,
-                         const std::string& history, bool force, const CommonOptions& common) const {
-  const auto start = std::chrono::steady_clock::now();
+Material ExportOption::material_for(const ExportFormat& format, const MaterialOutput& output, const Grid& grid) const {
   const Material material = wavelength_nm_ ? output.material.at_wavelength(*wavelength_nm_) : output.material;
   if (!format.traits().holds_bands && material.bands().size() > 1)
     throw BadInput("{}: has {} bands, and {} holds one: --wavelength chooses it", output.input, material.bands().size(),
                    format.traits().name);
+  const std::size_t samples = grid.directions() * material.bands().size();
+  if (format.traits().takes_axes && samples > most_samples)
+    throw BadInput("{}: the axes have {} samples, and {} takes at most {}: coarser axes, --wavelength, or hdf5", output.input,
+                   samples, format.traits().name, most_samples);
+  return material;
+}
+
+void ExportOption::write(const Engine& engine, const ExportFormat& format, const Material& material, const Grid& grid,
+                         const std::filesystem::path& target, const std::string& history, bool force,
+                         const CommonOptions& common) const {
+  const auto start = std::chrono::steady_clock::now();
   const bool is_d65 = illuminant_ == name_of(Illuminant::d65);
   const ExportSource source(
       engine, material, {.grid = grid, .illuminant = is_d65 ? Illuminant::d65 : Illuminant::equal_energy, .history = history});
-  PartialFile file(output.target, force);
+  PartialFile file(target, force);
   const auto notes = format.write(file.path(), source);
   const auto table = format.read(file.path());
   const std::string consumer = common.quiet ? "" : summary(export_errors(*table, source), format, *table);
   const auto bytes = std::filesystem::file_size(file.path());
   file.commit();
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  say(common, fmt::format("{}: {}, {:.3g} MB in {:.2f} s", output.target.string(), format.traits().name,
+  say(common, fmt::format("{}: {}, {:.3g} MB in {:.2f} s", target.string(), format.traits().name,
                           static_cast<double>(bytes) / 1e6, seconds.count()));
   for (const auto& note : notes) say(common, note);
   say(common, consumer);

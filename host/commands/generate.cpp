@@ -125,10 +125,17 @@ std::string size_text(const TableStorage& storage, const Grid& grid, Precision p
 
 ExitStatus export_materials(const Options& options, const ExportFormat& format, const std::vector<MaterialOutput>& outputs,
                             const CommonOptions& common) {
+  // What a material can be refused for is refused before the first file is begun.
+  std::vector<Grid> grids;
+  std::vector<Material> materials;
+  for (const MaterialOutput& output : outputs) {
+    grids.push_back(grid_for(output.material, options));
+    materials.push_back(options.exported.material_for(format, output, grids.back()));
+  }
   const Device device = select_device(options.device);
   const Engine engine(device, Engine::widest(device), Precision::float32);
-  for (const MaterialOutput& output : outputs)
-    options.exported.write(engine, format, output, grid_for(output.material, options), history(common), options.force, common);
+  for (std::size_t k = 0; k < outputs.size(); ++k)
+    options.exported.write(engine, format, materials[k], grids[k], outputs[k].target, history(common), options.force, common);
   return ExitStatus::done;
 }
 

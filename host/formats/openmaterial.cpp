@@ -101,7 +101,8 @@ class OpenMaterialFormat : public ExportFormat {
   }
 
   bool recognises(const std::filesystem::path&, std::string_view beginning) const override {
-    return beginning.find("\"openMaterial3dVersion\"") != beginning.npos;
+    return beginning.find("material_brdf_schema") != beginning.npos ||
+           beginning.find("\"openMaterial3dVersion\"") != beginning.npos;
   }
 
   std::unique_ptr<ExportedTable> read(const std::filesystem::path& file) const override {
