@@ -50,4 +50,14 @@ const ExportFormat* recognised_format(const ExportFormats& formats, const std::f
   return nullptr;
 }
 
+Material read_material_file(const std::filesystem::path& file) {
+  if (file != "-") {
+    const ExportFormats formats = export_formats();
+    if (const ExportFormat* format = recognised_format(formats, file))
+      throw BadInput("{}: is a simulator's file ({}); what is taken is a material or a table (hdf5, exr)", file.string(),
+                     format->traits().name);
+  }
+  return Material::read(file);
+}
+
 }  // namespace brdftab

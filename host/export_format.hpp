@@ -90,4 +90,7 @@ ExportFormats export_formats();
 /// The format that recognises a file's beginning; null where none does. Throws FileError where the file cannot be read.
 const ExportFormat* recognised_format(const ExportFormats& formats, const std::filesystem::path& file);
 
+/// Reads a material's file; one of a simulator is refused by its format's name. Throws as Material::read does.
+Material read_material_file(const std::filesystem::path& file);
+
 }  // namespace brdftab

@@ -1,6 +1,7 @@
 #include "host/table_reader.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <fstream>
 #include <string_view>
@@ -16,6 +17,7 @@ namespace {
 using namespace std::string_view_literals;
 
 constexpr std::string_view hdf5_signature = "\x89HDF\r\n\x1a\n"sv;
+constexpr std::array<std::string_view, 4> extensions{".h5", ".hdf5", ".nc", ".exr"};
 constexpr std::string_view exr_signature = "\x76\x2f\x31\x01"sv;
 
 }  // namespace
@@ -46,6 +48,11 @@ std::unique_ptr<TableReader> open_table(const std::filesystem::path& path) {
 }
 
 bool is_table(const std::filesystem::path& file) {
+  if (file == "-") return false;
+  std::error_code error;
+  if (std::filesystem::is_directory(file, error)) return true;
+  // What is named as a table and damaged is to be refused as a table.
+  if (std::find(extensions.begin(), extensions.end(), file.extension()) != extensions.end()) return true;
   std::ifstream in(file, std::ios::binary);
   std::string start(hdf5_signature.size(), '\0');
   in.read(start.data(), static_cast<std::streamsize>(start.size()));

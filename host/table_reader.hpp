@@ -52,7 +52,7 @@ class TableReader {
 /// read, a truncated one included, and BadInput where it is not a table of this program.
 std::unique_ptr<TableReader> open_table(const std::filesystem::path& path);
 
-/// Whether a file begins as HDF5 or OpenEXR does; false where it cannot be read.
+/// Whether a file is to be opened as a table: a folder, what is named as one, or begins as HDF5 or OpenEXR does; "-" is not.
 bool is_table(const std::filesystem::path& file);
 
 }  // namespace brdftab

@@ -1,6 +1,7 @@
 #include "host/commands/output_plan.hpp"
 
 #include "host/error.hpp"
+#include "host/export_format.hpp"
 #include "host/numbers.hpp"
 #include "host/table_reader.hpp"
 
@@ -25,7 +26,7 @@ fs::path file_in_folder(const fs::path& folder, const std::string& material, std
 }  // namespace
 
 Material read_material(const std::string& input) {
-  if (!is_table(input)) return Material::read(input);
+  if (!is_table(input)) return read_material_file(input);
   const auto reader = open_table(input);
   const AttributeValue* text = reader->info().attribute("material");
   const auto* found = text ? std::get_if<std::string>(text) : nullptr;

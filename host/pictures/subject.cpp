@@ -1,12 +1,10 @@
 #include "host/pictures/subject.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 
 #include "host/error.hpp"
+#include "host/export_format.hpp"
 #include "host/numbers.hpp"
 #include "host/sampled_model.hpp"
 
@@ -14,18 +12,6 @@ namespace brdftab {
 namespace {
 
 constexpr double same_angle = 1e-9;  // degrees
-
-bool looks_like_table(const std::string& file) {
-  if (file == "-") return false;
-  std::error_code error;
-  if (std::filesystem::is_directory(file, error)) return true;
-  const std::string extension = std::filesystem::path(file).extension().string();
-  const std::array<std::string_view, 4> extensions{".h5", ".hdf5", ".nc", ".exr"};
-  if (std::find(extensions.begin(), extensions.end(), extension) != extensions.end()) return true;
-  std::string start(4, '\0');
-  std::ifstream(file, std::ios::binary).read(start.data(), 4);
-  return start == "\x89HDF" || start == "\x76\x2f\x31\x01";
-}
 
 std::size_t nearest(std::span<const double> nodes, double angle) {
   const auto at =
@@ -36,10 +22,10 @@ std::size_t nearest(std::span<const double> nodes, double angle) {
 }  // namespace
 
 Subject Subject::open(const std::string& file) {
-  if (looks_like_table(file)) return of_table(file, open_table(file));
+  if (brdftab::is_table(file)) return of_table(file, open_table(file));
   Subject subject;
   subject.file_ = file;
-  subject.material_ = Material::read(file);
+  subject.material_ = read_material_file(file);
   return subject;
 }
 
