@@ -51,7 +51,8 @@ const ExportFormat* recognised_format(const ExportFormats& formats, const std::f
 }
 
 Material read_material_file(const std::filesystem::path& file) {
-  if (file != "-") {
+  std::error_code error;
+  if (file != "-" && std::filesystem::is_regular_file(file, error)) {
     const ExportFormats formats = export_formats();
     if (const ExportFormat* format = recognised_format(formats, file))
       throw BadInput("{}: is a simulator's file ({}); what is taken is a material or a table (hdf5, exr)", file.string(),
