@@ -122,7 +122,9 @@ class Layout(InFolder):
         self.assertEqual(path.stat().st_size, end)
         self.assertAlmostEqual(end, 4 * 20 * ((3 + 1) * 24**2 + 64 * 33) + 12_000, delta=2000)
         self.assertIn("brown vinyl", bytes(file.fields["description"]).decode())
-        self.assertIn("\nrho_surface = ", bytes(file.fields["comments"]).decode())
+        comments = bytes(file.fields["comments"]).decode().split("\n")
+        for line in VINYL.read_text().splitlines():
+            self.assertIn(f"| {line}", comments)
         self.assertEqual(file.fields["rgb"][0, :, 0].tolist(), file.fields["rgb"][0, :, 2].tolist())
 
     def test_same_bytes_again(self):
