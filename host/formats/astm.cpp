@@ -6,6 +6,7 @@
 #include "host/error.hpp"
 #include "host/export_text.hpp"
 #include "host/formats/formats.hpp"
+#include "host/formats/grid_table.hpp"
 #include "host/grid_samples.hpp"
 #include "host/measurement_text.hpp"
 #include "host/surface_vector.hpp"
@@ -16,24 +17,6 @@ namespace {
 
 constexpr std::string_view comment = "COMMENT ";
 constexpr double radian = std::numbers::pi / 180;
-
-class AstmTable : public ExportedTable {
- public:
-  AstmTable(GridSamples samples, std::vector<double> wavelengths, Description description)
-      : samples_(std::move(samples)), wavelengths_(std::move(wavelengths)), description_(std::move(description)) {}
-
-  std::vector<std::vector<double>> evaluate(const Directions& directions) const override { return samples_.evaluate(directions); }
-  std::vector<double> wavelengths_nm() const override { return wavelengths_; }
-  std::string material_text() const override { return description_.material_text; }
-  std::string interpolation() const override { return "linear interpolation between nodes, as libbsdf"; }
-  double largest_theta_i() const override { return samples_.axis(AxisKind::theta_i).back(); }
-  double largest_theta_s() const override { return samples_.axis(AxisKind::theta_s).back(); }
-
- private:
-  GridSamples samples_;
-  std::vector<double> wavelengths_;
-  Description description_;
-};
 
 class AstmFormat : public ExportFormat {
  public:
@@ -105,8 +88,8 @@ class AstmFormat : public ExportFormat {
         columns[3].push_back(sample.pair.phi);
       }
     }
-    return std::make_unique<AstmTable>(GridSamples::from_rows(columns, file.string()), std::move(wavelengths),
-                                       std::move(description));
+    return std::make_unique<GridTable>(std::vector{GridSamples::from_rows(columns, file.string())}, std::move(wavelengths),
+                                       std::move(description.material_text), "linear interpolation between nodes, as libbsdf");
   }
 };
 

@@ -7,6 +7,7 @@
 
 #include "host/fitted_intervals.hpp"
 #include "host/formats/formats.hpp"
+#include "host/formats/grid_table.hpp"
 #include "host/formats/json_file.hpp"
 #include "host/grid_samples.hpp"
 #include "host/numbers.hpp"
@@ -36,28 +37,6 @@ std::vector<double> turned(std::span<const double> azimuths, double by) {
   result.erase(std::unique(result.begin(), result.end()), result.end());
   return result;
 }
-
-class BirdTable : public ExportedTable {
- public:
-  BirdTable(std::vector<GridSamples> bands, std::vector<double> wavelengths_nm, std::string material_text)
-      : bands_(std::move(bands)), wavelengths_nm_(std::move(wavelengths_nm)), material_text_(std::move(material_text)) {}
-
-  std::vector<std::vector<double>> evaluate(const Directions& directions) const override {
-    std::vector<std::vector<double>> f;
-    for (const GridSamples& band : bands_) f.push_back(band.evaluate(directions).front());
-    return f;
-  }
-  std::vector<double> wavelengths_nm() const override { return wavelengths_nm_; }
-  std::string material_text() const override { return material_text_; }
-  std::string interpolation() const override { return "linear interpolation between samples"; }
-  double largest_theta_i() const override { return bands_.front().axis(AxisKind::theta_i).back(); }
-  double largest_theta_s() const override { return bands_.front().axis(AxisKind::theta_s).back(); }
-
- private:
-  std::vector<GridSamples> bands_;
-  std::vector<double> wavelengths_nm_;
-  std::string material_text_;
-};
 
 // One for each parameter, or for each band where bands differ in it.
 ordered_json parameters(const Material& material) {
@@ -197,7 +176,8 @@ class BirdFormat : public ExportFormat {
         if (wavelength > 0) wavelengths.push_back(wavelength);
       }
       const auto section = json.at("metadata").value("adhoc_section", nlohmann::json::object());
-      return std::make_unique<BirdTable>(std::move(samples), std::move(wavelengths), section.value("material", ""));
+      return std::make_unique<GridTable>(std::move(samples), std::move(wavelengths), section.value("material", ""),
+                                         "linear interpolation between samples");
     });
   }
 

@@ -7,6 +7,7 @@
 #include "host/error.hpp"
 #include "host/export_text.hpp"
 #include "host/formats/formats.hpp"
+#include "host/formats/grid_table.hpp"
 #include "host/grid_samples.hpp"
 #include "host/numbers.hpp"
 #include "host/table_content.hpp"
@@ -17,27 +18,6 @@ namespace {
 
 constexpr std::string_view first_line = "# A row for each pair of directions; f = brdf in 1/sr";
 constexpr std::string_view columns = "theta_i_deg,phi_i_deg,theta_s_deg,phi_s_deg,brdf_s,brdf_p,brdf";
-
-class CsvTable : public ExportedTable {
- public:
-  CsvTable(std::vector<GridSamples> bands, Description description)
-      : bands_(std::move(bands)), description_(std::move(description)) {}
-
-  std::vector<std::vector<double>> evaluate(const Directions& directions) const override {
-    std::vector<std::vector<double>> f;
-    for (const GridSamples& band : bands_) f.push_back(band.evaluate(directions).front());
-    return f;
-  }
-  std::vector<double> wavelengths_nm() const override { return description_.wavelengths_nm; }
-  std::string material_text() const override { return description_.material_text; }
-  std::string interpolation() const override { return "linear interpolation between nodes"; }
-  double largest_theta_i() const override { return bands_.front().axis(AxisKind::theta_i).back(); }
-  double largest_theta_s() const override { return bands_.front().axis(AxisKind::theta_s).back(); }
-
- private:
-  std::vector<GridSamples> bands_;
-  Description description_;
-};
 
 class CsvFormat : public ExportFormat {
  public:
@@ -117,7 +97,8 @@ class CsvFormat : public ExportFormat {
     if (bands.empty()) throw BadInput("{}: has no rows", csv.where());
     std::vector<GridSamples> samples;
     for (const auto& band : bands) samples.push_back(GridSamples::from_rows(band, file.string()));
-    return std::make_unique<CsvTable>(std::move(samples), std::move(description));
+    return std::make_unique<GridTable>(std::move(samples), std::move(description.wavelengths_nm),
+                                       std::move(description.material_text));
   }
 
  private:

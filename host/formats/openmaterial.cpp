@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "host/formats/formats.hpp"
+#include "host/formats/grid_table.hpp"
 #include "host/formats/json_file.hpp"
 #include "host/grid_samples.hpp"
 #include "host/table_content.hpp"
@@ -21,28 +22,6 @@ constexpr std::string_view schema =
 
 // Rounded so, a quarter and a whole turn are the largest values that the schema allows.
 double micro_radians(double angle) { return std::round(angle / degrees * 1e6) / 1e6; }
-
-class OpenMaterialTable : public ExportedTable {
- public:
-  OpenMaterialTable(std::vector<GridSamples> bands, std::vector<double> wavelengths_nm, std::string material_text)
-      : bands_(std::move(bands)), wavelengths_nm_(std::move(wavelengths_nm)), material_text_(std::move(material_text)) {}
-
-  std::vector<std::vector<double>> evaluate(const Directions& directions) const override {
-    std::vector<std::vector<double>> f;
-    for (const GridSamples& band : bands_) f.push_back(band.evaluate(directions).front());
-    return f;
-  }
-  std::vector<double> wavelengths_nm() const override { return wavelengths_nm_; }
-  std::string material_text() const override { return material_text_; }
-  std::string interpolation() const override { return "linear interpolation between nodes"; }
-  double largest_theta_i() const override { return bands_.front().axis(AxisKind::theta_i).back(); }
-  double largest_theta_s() const override { return bands_.front().axis(AxisKind::theta_s).back(); }
-
- private:
-  std::vector<GridSamples> bands_;
-  std::vector<double> wavelengths_nm_;
-  std::string material_text_;
-};
 
 class OpenMaterialFormat : public ExportFormat {
  public:
@@ -127,7 +106,7 @@ class OpenMaterialFormat : public ExportFormat {
         if (wavelength > 0) wavelengths.push_back(std::round(wavelength * nanometres * 1e6) / 1e6);
       }
       const auto generator = json.value("generator", nlohmann::json::object());
-      return std::make_unique<OpenMaterialTable>(std::move(bands), std::move(wavelengths), generator.value("material", ""));
+      return std::make_unique<GridTable>(std::move(bands), std::move(wavelengths), generator.value("material", ""));
     });
   }
 

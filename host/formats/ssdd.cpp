@@ -12,6 +12,7 @@
 #include "host/error.hpp"
 #include "host/export_text.hpp"
 #include "host/formats/formats.hpp"
+#include "host/formats/grid_table.hpp"
 #include "host/grid_samples.hpp"
 #include "host/numbers.hpp"
 #include "host/surface_vector.hpp"
@@ -23,27 +24,16 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little);
 
-class SsddTable : public ExportedTable {
+// The file's azimuths are those of vectors away from the surface.
+class SsddTable : public GridTable {
  public:
-  SsddTable(GridSamples samples, std::vector<double> wavelengths, Description description)
-      : samples_(std::move(samples)), wavelengths_(std::move(wavelengths)), description_(std::move(description)) {}
+  using GridTable::GridTable;
 
-  // The file's azimuths are those of vectors away from the surface.
   std::vector<std::vector<double>> evaluate(const Directions& directions) const override {
     Directions turned = directions;
     for (double& phi : turned.phi) phi = incident_azimuth(phi);
-    return samples_.evaluate(turned);
+    return GridTable::evaluate(turned);
   }
-  std::vector<double> wavelengths_nm() const override { return wavelengths_; }
-  std::string material_text() const override { return description_.material_text; }
-  std::string interpolation() const override { return "linear interpolation between nodes, as libbsdf"; }
-  double largest_theta_i() const override { return samples_.axis(AxisKind::theta_i).back(); }
-  double largest_theta_s() const override { return samples_.axis(AxisKind::theta_s).back(); }
-
- private:
-  GridSamples samples_;
-  std::vector<double> wavelengths_;
-  Description description_;
 };
 
 class SsddFormat : public ExportFormat {
@@ -173,8 +163,8 @@ class SsddFormat : public ExportFormat {
           for (std::size_t c = 0; c < channels; ++c)
             values[c][(i * theta_s.size() + s) * phi.size() + q] =
                 samples[((q * theta_s.size() + s) * theta_i.size() + i) * channels + c];
-    return std::make_unique<SsddTable>(GridSamples({theta_i, {0}, theta_s, phi}, std::move(values)), wavelengths,
-                                       std::move(description));
+    return std::make_unique<SsddTable>(std::vector{GridSamples({theta_i, {0}, theta_s, phi}, std::move(values))}, wavelengths,
+                                       std::move(description.material_text), "linear interpolation between nodes, as libbsdf");
   }
 
  private:
