@@ -131,6 +131,12 @@ bool Measurement::has_sigma() const {
   return !samples.empty() && std::none_of(samples.begin(), samples.end(), [](const auto& s) { return std::isnan(s.sigma); });
 }
 
+Incidences Measurement::incidences() const {
+  std::vector<double> theta_i;
+  for (const auto& sample : samples) theta_i.push_back(sample.pair.theta_i);
+  return {theta_i, incidence_width};
+}
+
 std::optional<double> Measurement::wavelength_nm(std::size_t channel) const {
   std::string_view name = channels[channel];
   if (name.ends_with("nm")) name.remove_suffix(2);
@@ -139,7 +145,11 @@ std::optional<double> Measurement::wavelength_nm(std::size_t channel) const {
 }
 
 Measurement Measurement::channel(std::size_t index) const {
-  Measurement result{.source = source, .channels = {channels[index]}, .samples = {}, .warnings = {}};
+  Measurement result{.source = source,
+                     .channels = {channels[index]},
+                     .samples = {},
+                     .warnings = {},
+                     .incidence_width = incidence_width};
   for (MeasuredSample sample : samples)
     if (sample.channel == index) {
       sample.channel = 0;
@@ -172,6 +182,7 @@ Measurement read_measurement(const std::filesystem::path& file, const Measuremen
     measurement = reader->read(in, file.string());
     if (in.bad()) throw FileError("{}: cannot be read", file.string());
   }
+  measurement.incidence_width = options.incidence_width;
   for (auto& sample : measurement.samples) {
     sample.brdf *= options.scale;
     sample.sigma *= options.scale;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "host/direction_list.hpp"
+#include "host/incidences.hpp"
 
 namespace brdftab {
 
@@ -29,8 +30,12 @@ struct Measurement {
   std::vector<MeasuredSample> samples;
   /// What was set aside or looks suspicious, one line each, with counts.
   std::vector<std::string> warnings;
+  /// Of one setting of theta_i, degrees.
+  double incidence_width = Incidences::usual_width;
 
   bool has_sigma() const;
+  /// The settings of theta_i, of all channels together.
+  Incidences incidences() const;
   /// Of a channel; none where its name is not a number.
   std::optional<double> wavelength_nm(std::size_t channel) const;
   /// The samples of one channel, as a measurement of its own.
@@ -45,6 +50,8 @@ struct MeasurementOptions {
   double scale = 1;
   /// Adds 180 degrees to phi: for files whose azimuth 0 is the backward side.
   bool flip_azimuth = false;
+  /// Of one setting of theta_i, degrees; 0 tells every two numbers apart.
+  double incidence_width = Incidences::usual_width;
 };
 
 /// Reads a file ("-": standard input, CSV). Values that are nan, zero or negative, and repeated rows, are set aside and
