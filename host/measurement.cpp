@@ -44,21 +44,29 @@ void set_aside_what_is_not_positive(Measurement& measurement) {
   warn(negatives, "negative");
 }
 
-void set_aside_repeated_rows(Measurement& measurement) {
-  using Key = std::tuple<std::size_t, double, double, double>;
-  std::set<std::pair<Key, double>> rows;
-  std::set<Key> directions;
+using Direction = std::tuple<std::size_t, double, double, double>;
+
+// At the normal all azimuths are one direction.
+Direction direction_of(const MeasuredSample& sample) {
+  const double theta_s = sample.pair.model_theta_s();
+  const double phi = theta_s == 0 ? 0 : std::remainder(sample.pair.model_phi(), 360);
+  return {sample.channel, sample.pair.theta_i, theta_s, phi == -180 ? 180 : phi};
+}
+
+// Each is information, its value the same or not: instruments round, and read a direction more than once.
+void count_repeated_readings(Measurement& measurement) {
+  std::set<Direction> directions;
+  std::set<std::pair<Direction, double>> readings;
   std::size_t again = 0;
-  const std::size_t repeated = std::erase_if(measurement.samples, [&](const MeasuredSample& sample) {
-    const Key key{sample.channel, sample.pair.theta_i, sample.pair.model_theta_s(), std::remainder(sample.pair.model_phi(), 360)};
-    if (!rows.insert({key, sample.brdf}).second) return true;
-    again += !directions.insert(key).second;
-    return false;
-  });
-  if (repeated > 0) measurement.warnings.push_back(fmt::format("{} rows repeat an earlier one: set aside", repeated));
+  std::size_t equal = 0;
+  for (const MeasuredSample& sample : measurement.samples) {
+    again += !directions.insert(direction_of(sample)).second;
+    equal += !readings.insert({direction_of(sample), sample.brdf}).second;
+  }
   if (again > 0)
-    measurement.warnings.push_back(
-        fmt::format("{} samples have the directions of an earlier one and another value: kept", again));
+    measurement.warnings.push_back(fmt::format(
+        "{} samples have the directions of an earlier one, {} of them its value too: each counts as a reading of its own", again,
+        equal));
 }
 
 // A tenth of the values lie below this one: the diffuse level, whatever peaks there are.
@@ -158,11 +166,27 @@ Measurement Measurement::channel(std::size_t index) const {
   return result;
 }
 
+void set_aside_repeats_of_grid(Measurement& measurement) {
+  std::map<Direction, double> values;
+  for (const MeasuredSample& sample : measurement.samples) {
+    const auto [at, is_new] = values.try_emplace(direction_of(sample), sample.brdf);
+    if (!is_new && at->second != sample.brdf && !(std::isnan(at->second) && std::isnan(sample.brdf))) return;
+  }
+  std::set<Direction> seen;
+  const std::size_t repeated =
+      std::erase_if(measurement.samples, [&](const MeasuredSample& sample) { return !seen.insert(direction_of(sample)).second; });
+  if (repeated > 0)
+    measurement.warnings.push_back(
+        fmt::format("{} rows repeat the value of an earlier one in the same direction, as grids do at "
+                    "theta_s = 0 and over a whole turn: set aside",
+                    repeated));
+}
+
 void clean(Measurement& measurement) {
   if (measurement.samples.empty()) throw BadInput("{}: has no samples", measurement.source);
   set_aside_what_is_not_positive(measurement);
   if (measurement.samples.empty()) throw BadInput("{}: no sample has f above 0", measurement.source);
-  set_aside_repeated_rows(measurement);
+  count_repeated_readings(measurement);
   warn_of_other_units(measurement);
   warn_of_reversed_azimuth(measurement);
 }

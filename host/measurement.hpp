@@ -54,15 +54,20 @@ struct MeasurementOptions {
   double incidence_width = Incidences::usual_width;
 };
 
-/// Reads a file ("-": standard input, CSV). Values that are nan, zero or negative, and repeated rows, are set aside and
-/// counted. Throws FileError where it cannot be read, and BadInput `FILE:LINE: ...` where its content is no measurement.
+/// Reads a file ("-": standard input, CSV). Values that are nan, zero or negative, and what a format itself repeats,
+/// are set aside and counted; equal readings of one direction are kept. Throws FileError where it cannot be read, and BadInput
+/// `FILE:LINE: ...` where its content is no measurement.
 Measurement read_measurement(const std::filesystem::path& file, const MeasurementOptions& options = {});
 
 /// CSV with the columns of `read_directions`, brdf_per_sr or brdf (1/sr), and optionally channel or wavelength_nm, and sigma (1/sr).
 Measurement read_csv_measurement(std::istream& in, const std::string& source);
 
-/// Sets aside what is no positive number, and repeated rows; then adds warnings where values or azimuths look
-/// unlike f_r in 1/sr with phi = 0 forward. Throws BadInput where nothing is left.
+/// For formats that grids are written in: where every direction that occurs again has its value again, all but the first are
+/// set aside and counted. Where one does not, the rows are readings, and all are kept.
+void set_aside_repeats_of_grid(Measurement& measurement);
+
+/// Sets aside what is no positive number; then counts repeated readings, and adds warnings where values or azimuths look unlike
+/// f_r in 1/sr with phi = 0 forward. Throws BadInput where nothing is left.
 void clean(Measurement& measurement);
 
 }  // namespace brdftab

@@ -131,6 +131,7 @@ Measurement read_alta_measurement(std::istream& in, const std::string& source) {
       at_rim += !add(measurement, theta_i, theta_s, phi, numbers[inputs + c] / (cosine ? std::cos(theta_s) : 1), c, where, line);
   }
   warn_of_rim(measurement, at_rim);
+  set_aside_repeats_of_grid(measurement);
   return measurement;
 }
 
@@ -162,6 +163,7 @@ Measurement read_astm_measurement(std::istream& in, const std::string& source) {
   }
   warn_of_rim(measurement, at_rim);
   if (measurement.channels.empty()) throw BadInput("{}:1: has no line VARS theta_i,phi_i,theta_s,phi_s,...", source);
+  set_aside_repeats_of_grid(measurement);
   return measurement;
 }
 

@@ -1,5 +1,6 @@
 // Zemax OpticStudio's tabular BSDF as a measurement.
 #include <cmath>
+#include <span>
 
 #include "host/error.hpp"
 #include "host/measurement_text.hpp"
@@ -11,29 +12,44 @@ namespace {
 
 double rounded(double degrees) { return std::round(degrees * 1e6) / 1e6; }
 
+// The format gives the one direction at radial 0 a value at every azimuth, and that of azimuth 0 again at 360 degrees.
+bool repeats(const ZemaxFile& file, std::span<const double> of_incidence, std::size_t azimuth, std::size_t radial) {
+  const double turn = file.azimuth[azimuth] - file.azimuth[0];
+  return (turn == 360 || (turn > 0 && file.radial[radial] == 0)) &&
+         of_incidence[azimuth * file.radial.size() + radial] == of_incidence[radial];
+}
+
 }  // namespace
 
 Measurement read_zemax_measurement(std::istream& in, const std::string& source) {
   const ZemaxFile file = ZemaxFile::read(in, source);
   Measurement measurement;
   measurement.source = source;
-  std::size_t below_horizon = 0;
+  std::size_t below_horizon = 0, repeated = 0;
   for (const ZemaxBlock& block : file.blocks) {
     const std::size_t channel = measurement.channels.size();
     measurement.channels.push_back(block.content == "Monochrome" ? "" : block.content);
-    auto value = block.values.begin();
+    std::span<const double> rest(block.values);
     for (std::size_t rotation = 0; rotation < file.rotation.size(); ++rotation)
-      for (const double theta_i : file.incidence)
-        for (const double azimuth : file.azimuth)
-          for (const double radial : file.radial) {
-            const SurfaceVector at = about_specular(theta_i, radial, azimuth);
-            const double brdf = *value++, theta_s = rounded(at.theta());
-            if (theta_s < 90)
-              measurement.samples.push_back({.pair = {theta_i, theta_s, rounded(at.phi()), 0}, .brdf = brdf, .channel = channel});
-            else
+      for (const double theta_i : file.incidence) {
+        const auto values = rest.first(file.azimuth.size() * file.radial.size());
+        rest = rest.subspan(values.size());
+        for (std::size_t a = 0; a < file.azimuth.size(); ++a)
+          for (std::size_t r = 0; r < file.radial.size(); ++r) {
+            const SurfaceVector at = about_specular(theta_i, file.radial[r], file.azimuth[a]);
+            const double brdf = values[a * file.radial.size() + r], theta_s = rounded(at.theta());
+            if (!(theta_s < 90))
               below_horizon += brdf != 0;
+            else if (repeats(file, values, a, r))
+              ++repeated;
+            else
+              measurement.samples.push_back({.pair = {theta_i, theta_s, rounded(at.phi()), 0}, .brdf = brdf, .channel = channel});
           }
+      }
   }
+  if (repeated > 0)
+    measurement.warnings.push_back(
+        fmt::format("{} values repeat that of another azimuth in the same direction, as the format has it: set aside", repeated));
   if (below_horizon > 0)
     measurement.warnings.push_back(fmt::format("{} values above 0 lie below the horizon: set aside", below_horizon));
   if (file.rotation.size() > 1)

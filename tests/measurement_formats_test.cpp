@@ -95,14 +95,30 @@ TEST(AstmMeasurement, ReadsRadiansAndWavelengths) {
             std::string::npos);
 }
 
+// A grid gives the normal a value at each azimuth, and that of 0 again at 360 degrees; a goniometer's equal readings stay.
+TEST(AstmMeasurement, TellsAGridsRepeatsFromReadings) {
+  const auto row = [](double theta_s, double phi_s, double brdf) {
+    return fmt::format("{:.17g},0,{:.17g},{:.17g},{}\n", 30 * radian, theta_s * radian, phi_s * radian, brdf);
+  };
+  std::string grid = "VARS theta_i,phi_i,theta_s,phi_s,B\n";
+  for (const double phi_s : {0., 90., 180., 270., 360.})
+    grid += row(0, phi_s, 0.3) + row(20, phi_s, phi_s == 180 ? 0.5 : 0.2) + row(40, phi_s, 0.2);
+  const auto m = read(read_astm_measurement, grid);
+  EXPECT_EQ(m.samples.size(), 9u) << "one at the normal, four at each other theta_s";
+  ASSERT_EQ(m.warnings.size(), 1u);
+  EXPECT_NE(m.warnings[0].find("6 rows repeat"), std::string::npos) << m.warnings[0];
+  // One that differs shows that the rows were read one by one.
+  EXPECT_EQ(read(read_astm_measurement, grid + row(20, 0, 0.21)).samples.size(), 16u);
+}
+
 TEST(ZemaxMeasurement, TurnsSpecularAnglesIntoDirections) {
   const std::string text =
       "# a comment\nSource\tMeasured\nSymmetry\tPlaneSymmetrical\nSpectralContent\tMonochrome\nScatterType\tBRDF\n"
       "SampleRotation\t1\n0\nAngleOfIncidence\t1\n40\nScatterAzimuth\t3\n0\t90\t180\nScatterRadial\t3\n0\t20\t60\n\n"
       "Monochrome\nDataBegin\nTIS\t0.5\n1\t2\t3\n1\t5\t6\n1\t8\t9\nDataEnd\n";
   const auto m = read(read_zemax_measurement, text);
-  // Of nine, the one 60 degrees beyond the mirror direction lies below the horizon.
-  ASSERT_EQ(m.samples.size(), 8u);
+  // Of nine, the one 60 degrees beyond the mirror direction lies below the horizon, and two repeat the mirror direction.
+  ASSERT_EQ(m.samples.size(), 6u);
   const auto of = [&](double brdf) {
     return *std::find_if(m.samples.begin(), m.samples.end(), [&](const auto& s) { return s.brdf == brdf; });
   };
@@ -115,8 +131,13 @@ TEST(ZemaxMeasurement, TurnsSpecularAnglesIntoDirections) {
   EXPECT_NEAR(of(8).pair.theta_s, 60, 1e-6);  // away from the normal
   // A right spherical triangle: cos theta_s = cos 20 cos 40.
   EXPECT_NEAR(of(5).pair.theta_s, std::acos(std::cos(20 * radian) * std::cos(40 * radian)) / radian, 1e-5);
-  ASSERT_EQ(m.warnings.size(), 1u);
-  EXPECT_NE(m.warnings[0].find("1 values above 0 lie below the horizon"), std::string::npos);
+  ASSERT_EQ(m.warnings.size(), 2u);
+  EXPECT_NE(m.warnings[0].find("2 values repeat that of another azimuth"), std::string::npos) << m.warnings[0];
+  EXPECT_NE(m.warnings[1].find("1 values above 0 lie below the horizon"), std::string::npos);
+  // Readings that differ at radial 0 are information, and so are equal ones of two directions.
+  std::string readings = text;
+  readings.replace(readings.find("1\t5\t6"), 5, "1.1\t5\t9");
+  EXPECT_EQ(read(read_zemax_measurement, readings).samples.size(), 7u);
   EXPECT_NE(refusal(read_zemax_measurement, "ScatterType BTDF\n").find("must be BRDF"), std::string::npos);
   EXPECT_NE(refusal(read_zemax_measurement, text.substr(0, text.size() - 12)).find("ends too early"), std::string::npos);
   EXPECT_NE(refusal(read_zemax_measurement, "tensor_file").find("is no keyword"), std::string::npos);
