@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <numbers>
 
 #include "host/error.hpp"
@@ -14,11 +13,14 @@
 #include "host/pictures/picture_file.hpp"
 #include "host/pictures/shadowing.hpp"
 #include "host/pictures/svg.hpp"
+#include "host/slab.hpp"
 
 namespace brdftab {
 namespace {
 
 constexpr std::array<double, 2> shown_shadowing{30, 70};
+// As many as a legend holds in one column.
+constexpr std::size_t most_incidences = 18;
 
 void write(const std::filesystem::path& path, const std::string& text, bool force) {
   PartialFile file(path, force);
@@ -26,15 +28,19 @@ void write(const std::filesystem::path& path, const std::string& text, bool forc
 }
 
 std::string fit_picture(const Engine& engine, const FitProblem& problem, const FitBand& band, const Parameters& parameters) {
-  std::map<double, std::vector<ChartPoint>> data;
+  const std::vector<InPlaneScan> scans = in_plane_scans(band.samples, problem.incidences());
+  std::vector<InPlaneScan> drawn;
+  for (const std::size_t k : spread_indices(scans.size(), most_incidences)) drawn.push_back(scans[k]);
+  std::vector<double> theta_i;
   double low = HUGE_VAL;
   double high = 0;
-  for (const auto& sample : band.samples)
-    if (const auto theta_s = in_plane_theta_s(sample.pair)) {
-      data[sample.pair.theta_i].push_back({*theta_s, sample.brdf});
-      low = std::min(low, sample.brdf);
-      high = std::max(high, sample.brdf);
+  for (const InPlaneScan& scan : drawn) {
+    theta_i.push_back(scan.theta_i);
+    for (const ChartPoint& point : scan.points) {
+      low = std::min(low, point.y);
+      high = std::max(high, point.y);
     }
+  }
   Chart chart{.title = "BRDF in the plane of incidence: measured and fitted",
               .subtitle = "",
               .legend_title = "incidence θ_i",
@@ -42,10 +48,9 @@ std::string fit_picture(const Engine& engine, const FitProblem& problem, const F
               .colours = Colours::steps,
               .panels = {}};
   Panel panel{.title = "", .x = theta_s_axis(), .y = logarithmic_axis(brdf_axis_label, low / 1.5, high * 1.5)};
-  if (data.empty()) panel.note = "no sample lies in the plane of incidence";
-  std::vector<double> theta_i;
-  for (const auto& [angle, points] : data) theta_i.push_back(angle);
-  if (!data.empty()) {
+  if (drawn.empty()) panel.note = "no sample lies in the plane of incidence";
+  if (drawn.size() < scans.size()) chart.notes.push_back(fmt::format("at {} of {} θ_i", drawn.size(), scans.size()));
+  if (!drawn.empty()) {
     const auto curves = in_plane_curves(theta_i, [&](std::span<const DirectionPair> pairs) {
       const LogBrdfGradients model(engine, pairs, problem.options().share_s, problem.options().switches);
       const auto values = model.evaluate({&parameters, 1});
@@ -53,16 +58,16 @@ std::string fit_picture(const Engine& engine, const FitProblem& problem, const F
       for (std::size_t k = 0; k < pairs.size(); ++k) f.push_back(std::exp(values.ln_f(0)[k]));
       return f;
     });
-    for (std::size_t k = 0; k < theta_i.size(); ++k) {
+    for (std::size_t k = 0; k < drawn.size(); ++k) {
       panel.line(incidence_label(theta_i[k]), curves[k]);
-      panel.dots(incidence_label(theta_i[k]), data[theta_i[k]]);
+      panel.dots(incidence_label(theta_i[k]), drawn[k].points);
     }
   }
   chart.panels.push_back(std::move(panel));
   return chart.svg();
 }
 
-std::string residual_picture(const FitBand& band, const std::vector<double>& ratios) {
+std::string residual_picture(const Incidences& settings, const FitBand& band, const std::vector<double>& ratios) {
   double largest = 1e-6;
   for (const double ratio : ratios) largest = std::max(largest, std::abs(ratio));
   Chart chart{.title = "Residuals of the fit",
@@ -73,13 +78,18 @@ std::string residual_picture(const FitBand& band, const std::vector<double>& rat
               .panels = {}};
   Panel panel{.title = "", .x = theta_s_axis(), .y = {"ln(model / data)", -1.1 * largest, 1.1 * largest}};
   panel.rules.push_back({0, ""});
-  std::map<double, std::vector<ChartPoint>> points;
+  const Incidences told_apart = settings.joined(most_incidences);
+  std::vector<std::vector<ChartPoint>> points(told_apart.size());
   for (std::size_t k = 0; k < ratios.size(); ++k) {
     const auto& pair = band.samples[k].pair;
     const bool backward = std::cos(pair.model_phi() * std::numbers::pi / 180) < 0;
-    points[pair.theta_i].push_back({backward ? -pair.model_theta_s() : pair.model_theta_s(), ratios[k]});
+    points[told_apart.index(pair.theta_i)].push_back({backward ? -pair.model_theta_s() : pair.model_theta_s(), ratios[k]});
   }
-  for (auto& [theta_i, at] : points) panel.dots(incidence_label(theta_i), std::move(at));
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const double first = settings.angle(settings.index(told_apart.lowest(k)));
+    const double last = settings.angle(settings.index(told_apart.highest(k)));
+    if (!points[k].empty()) panel.dots(incidence_label(first, last), std::move(points[k]));
+  }
   chart.panels.push_back(std::move(panel));
   return chart.svg();
 }
@@ -129,7 +139,8 @@ void write_fit_pictures(const Engine& engine, const FitProblem& problem, const F
     const std::string suffix =
         problem.bands().size() > 1 && band.wavelength_nm ? fmt::format("-{}", shortest(*band.wavelength_nm)) : "";
     write(folder / fmt::format("fit{}.svg", suffix), fit_picture(engine, problem, band, summary.bands[b]), force);
-    write(folder / fmt::format("residuals{}.svg", suffix), residual_picture(band, problem.log_ratios(evaluated[b], b)), force);
+    write(folder / fmt::format("residuals{}.svg", suffix),
+          residual_picture(problem.incidences(), band, problem.log_ratios(evaluated[b], b)), force);
     write(folder / fmt::format("shadowing{}.svg", suffix), shadowing_picture(summary.bands[b]), force);
   }
   write(folder / "correlations.svg", correlation_picture(summary), force);

@@ -38,31 +38,38 @@ FitProblem::FitProblem(const Engine& engine, const Measurement& measurement, con
 }
 
 void FitProblem::take_samples(const Measurement& measurement) {
+  const Incidences all = measurement.incidences();
+  std::vector<double> used;
   for (std::size_t c = 0; c < measurement.channels.size(); ++c) {
     bands_.push_back({measurement.channels[c], measurement.wavelength_nm(c), {}, {}});
     for (const auto& sample : measurement.samples) {
       if (sample.channel != c) continue;
-      const bool beyond = std::max(sample.pair.theta_i, sample.pair.model_theta_s()) > options_.max_theta;
+      // Of a setting at the limit, what an encoder reads back just beyond it belongs to the rest.
+      const double theta_i = all.lowest(all.index(sample.pair.theta_i));
+      const bool beyond = std::max(theta_i, sample.pair.model_theta_s()) > options_.max_theta;
       const bool below = !(sample.brdf > options_.floor);
       beyond_max_theta_ += beyond;
       below_floor_ += !beyond && below;
-      if (!beyond && !below) bands_.back().samples.push_back(sample);
+      if (beyond || below) continue;
+      bands_.back().samples.push_back(sample);
+      used.push_back(sample.pair.theta_i);
     }
     samples_ += bands_.back().samples.size();
     if (bands_.back().samples.empty())
       throw BadInput("{}: no sample of channel {} lies within {} degrees and above {} 1/sr", measurement.source,
                      excerpt(measurement.channels[c]), shortest(options_.max_theta), shortest(options_.floor));
   }
+  incidences_.emplace(used, measurement.incidence_width);
 }
 
 void FitProblem::weigh() {
   double sum = 0;
   for (FitBand& band : bands_) {
-    std::map<double, double> count;
-    for (const auto& sample : band.samples) ++count[sample.pair.theta_i];
+    std::vector<double> count(incidences_->size());
+    for (const auto& sample : band.samples) ++count[incidences_->index(sample.pair.theta_i)];
     for (const auto& sample : band.samples) {
       double weight = 1;
-      if (options_.weights == FitWeights::aoi) weight = 1 / count[sample.pair.theta_i];
+      if (options_.weights == FitWeights::aoi) weight = 1 / count[incidences_->index(sample.pair.theta_i)];
       if (options_.weights == FitWeights::sigma) weight = std::pow(sample.brdf / sample.sigma, 2);
       band.weights.push_back(weight);
       sum += weight;
@@ -156,11 +163,11 @@ FitProblem::Residuals FitProblem::residuals(std::span<const double> u) const {
 
 double FitProblem::rms(std::span<const double> u) const {
   const auto evaluated = batch_->evaluate(parameters(u));
-  std::map<std::pair<std::size_t, double>, std::pair<double, double>> sums;
+  std::map<std::pair<std::size_t, std::size_t>, std::pair<double, double>> sums;
   for (std::size_t b = 0; b < bands_.size(); ++b) {
     const auto ratios = log_ratios(evaluated[b], b);
     for (std::size_t k = 0; k < ratios.size(); ++k) {
-      auto& [squares, count] = sums[{b, bands_[b].samples[k].pair.theta_i}];
+      auto& [squares, count] = sums[{b, incidences_->index(bands_[b].samples[k].pair.theta_i)}];
       squares += ratios[k] * ratios[k];
       ++count;
     }

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "host/fit_variable.hpp"
@@ -46,6 +47,8 @@ class FitProblem {
 
   const std::vector<FitBand>& bands() const { return bands_; }
   const std::vector<FitVariable>& variables() const { return variables_; }
+  /// The settings of theta_i among the samples, of all bands together.
+  const Incidences& incidences() const { return *incidences_; }
   std::size_t samples() const { return samples_; }
   /// Samples left out by max_theta and by the floor.
   std::size_t beyond_max_theta() const { return beyond_max_theta_; }
@@ -70,7 +73,7 @@ class FitProblem {
 
   /// ln(model/data) of one band.
   std::vector<double> log_ratios(const BandValues& values, std::size_t band) const;
-  /// Square root of the mean square of ln(model/data), over the means of each incidence of each band.
+  /// Square root of the mean square of ln(model/data), over the means of each setting of theta_i of each band.
   double rms(std::span<const double> u) const;
 
  private:
@@ -80,6 +83,7 @@ class FitProblem {
 
   FitOptions options_;
   std::vector<FitBand> bands_;
+  std::optional<Incidences> incidences_;
   std::vector<FitVariable> variables_;
   std::vector<Parameters> fixed_;
   std::size_t samples_ = 0;

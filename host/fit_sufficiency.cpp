@@ -2,15 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <utility>
 
 namespace brdftab {
 namespace {
 
 constexpr double most_of_it = 0.9;
 
+struct Information {
+  double theta_i, value;
+};
+
 // The part of a column of J that no other column explains, squared, by incidence.
-std::map<double, double> information_by_incidence(const FitProblem& problem, const LinearUncertainty& linear,
+std::vector<Information> information_by_incidence(const FitProblem& problem, const LinearUncertainty& linear,
                                                   Eigen::Index column) {
   Eigen::MatrixXd others = linear.jacobian;
   Eigen::VectorXd own = others.col(column);
@@ -18,29 +22,33 @@ std::map<double, double> information_by_incidence(const FitProblem& problem, con
   const Eigen::VectorXd lengths = others.colwise().norm().cwiseMax(1e-300);
   const Eigen::MatrixXd scaled = others * lengths.cwiseInverse().asDiagonal();
   own -= scaled * scaled.colPivHouseholderQr().solve(own);
-  std::map<double, double> result;
+  const Incidences& incidences = problem.incidences();
+  std::vector<Information> result;
+  for (const double theta_i : incidences.angles()) result.push_back({theta_i, 0});
   Eigen::Index k = 0;
   for (const FitBand& band : problem.bands())
-    for (const auto& sample : band.samples) result[sample.pair.theta_i] += own[k] * own[k], ++k;
+    for (const auto& sample : band.samples) {
+      result[incidences.index(sample.pair.theta_i)].value += own[k] * own[k];
+      ++k;
+    }
   return result;
 }
 
 // The shortest run of incidences that holds most of the information.
-std::pair<double, double> seen_range(const std::map<double, double>& information) {
-  const std::vector<std::pair<double, double>> list(information.begin(), information.end());
+std::pair<double, double> seen_range(const std::vector<Information>& list) {
   double total = 0;
-  for (const auto& [theta, value] : list) total += value;
-  std::pair<double, double> best{list.front().first, list.back().first};
+  for (const auto& [theta_i, value] : list) total += value;
+  std::pair<double, double> best{list.front().theta_i, list.back().theta_i};
   std::size_t shortest_run = list.size();
   for (std::size_t i = 0; i < list.size(); ++i) {
     double sum = 0;
     for (std::size_t j = i; j < list.size(); ++j) {
-      sum += list[j].second;
+      sum += list[j].value;
       if (sum < most_of_it * total) continue;
       // Of equally long ones the highest incidences, where shadowing acts.
       if (j - i + 1 <= shortest_run) {
         shortest_run = j - i + 1;
-        best = {list[i].first, list[j].first};
+        best = {list[i].theta_i, list[j].theta_i};
       }
       break;
     }

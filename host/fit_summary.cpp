@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <utility>
 
 #include "host/integrals.hpp"
 
@@ -12,32 +12,37 @@ namespace brdftab {
 namespace {
 
 constexpr std::size_t most_correlations = 6;
+constexpr std::size_t most_incidences = 20;
 
 std::string name_of(const FitProblem& problem, const FitVariable& variable) {
   if (variable.bands.size() == problem.bands().size()) return std::string(variable.row().name);
   return fmt::format("{}[{}]", variable.row().name, problem.bands()[variable.bands.front()].channel);
 }
 
+// Each line costs an integral of the model over the hemisphere.
 std::vector<IncidenceFit> by_incidence(const Engine& engine, const FitProblem& problem, const std::vector<double>& u) {
+  const Incidences& settings = problem.incidences();
+  const Incidences listed = settings.joined(most_incidences);
+  const std::vector<double> angles = listed.angles();
+  const double share_s = problem.options().share_s;
   const auto parameters = problem.parameters(u);
   const auto evaluated = problem.batch().evaluate(parameters);
   std::vector<IncidenceFit> result;
   for (std::size_t b = 0; b < problem.bands().size(); ++b) {
     const auto ratios = problem.log_ratios(evaluated[b], b);
-    std::map<double, std::pair<double, std::size_t>> sums;
+    std::vector<std::pair<double, std::size_t>> sums(listed.size());
     for (std::size_t k = 0; k < ratios.size(); ++k) {
-      auto& [squares, count] = sums[problem.bands()[b].samples[k].pair.theta_i];
+      auto& [squares, count] = sums[listed.index(problem.bands()[b].samples[k].pair.theta_i)];
       squares += ratios[k] * ratios[k];
       ++count;
     }
-    std::vector<double> angles;
-    for (const auto& [theta_i, sum] : sums) angles.push_back(theta_i);
     const Dhr dhr = integrals(engine, {problem.bands()[b].wavelength_nm, parameters[b]}, problem.options().switches, angles).dhr;
-    for (const auto& [theta_i, sum] : sums) {
-      const auto angle = static_cast<std::size_t>(std::lower_bound(angles.begin(), angles.end(), theta_i) - angles.begin());
-      const double share_s = problem.options().share_s;
-      result.push_back({problem.bands()[b].channel, theta_i, sum.second, std::sqrt(sum.first / static_cast<double>(sum.second)),
-                        share_s * dhr.total(angle, Polarization::s) + (1 - share_s) * dhr.total(angle, Polarization::p)});
+    for (std::size_t k = 0; k < listed.size(); ++k) {
+      const auto& [squares, count] = sums[k];
+      if (count == 0) continue;
+      result.push_back({problem.bands()[b].channel, angles[k], settings.angle(settings.index(listed.lowest(k))),
+                        settings.angle(settings.index(listed.highest(k))), count, std::sqrt(squares / static_cast<double>(count)),
+                        share_s * dhr.total(k, Polarization::s) + (1 - share_s) * dhr.total(k, Polarization::p)});
     }
   }
   return result;

@@ -31,13 +31,15 @@ struct Correlation {
   double value;
 };
 
+/// A setting of theta_i or, where there are too many for a list, neighbouring ones together.
 struct IncidenceFit {
   std::string channel;
-  double theta_i;  // degrees
+  /// Degrees: their mean, the first and the last.
+  double theta_i, first, last;
   std::size_t samples;
   /// Of ln(model/data).
   double rms;
-  /// Of the fitted material, in the light of the measurement.
+  /// Of the fitted material at theta_i, in the light of the measurement.
   double dhr;
 };
 

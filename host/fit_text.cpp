@@ -58,6 +58,10 @@ std::string rms_text(const FitSummary& summary) {
                      summary.rms_of_incidences);
 }
 
+std::string incidence_text(const IncidenceFit& at, std::string_view to) {
+  return at.first == at.last ? shortest(at.theta_i) : fmt::format("{}{}{}", shortest(at.first), to, shortest(at.last));
+}
+
 // A TOML basic string.
 std::string toml_string(std::string_view text) {
   std::string result = "\"";
@@ -102,8 +106,9 @@ std::string summary_text(const FitProblem& problem, const FitSummary& summary) {
                           *problem.options().choices[p].fixed, "-", "");
   text += fmt::format("\nrms of ln(model/data), {}\n", rms_text(summary));
   for (const IncidenceFit& at : summary.incidences)
-    text += fmt::format("  {}theta_i = {:<8} {:.4g}   ({} samples)   DHR {:.4g}\n",
-                        problem.bands().size() > 1 ? at.channel + " " : "", shortest(at.theta_i), at.rms, at.samples, at.dhr);
+    text +=
+        fmt::format("  {}theta_i = {:<8} {:.4g}   ({} samples)   DHR {:.4g}\n",
+                    problem.bands().size() > 1 ? at.channel + " " : "", incidence_text(at, " to "), at.rms, at.samples, at.dhr);
   text += fmt::format("condition number of J^T J, columns of unit length: {:.2g}\n", summary.linear.condition);
   if (!summary.correlations.empty()) text += "strongest correlations\n";
   for (const Correlation& pair : summary.correlations)
@@ -140,7 +145,7 @@ std::string material_text(const FitProblem& problem, const FitSummary& summary, 
                       problem.beyond_max_theta(), shortest(options.max_theta), problem.below_floor(), shortest(options.floor));
   if (problem.bands().size() == 1) {
     text += "# rms by theta_i:";
-    for (const IncidenceFit& at : summary.incidences) text += fmt::format(" {}: {:.3g}", shortest(at.theta_i), at.rms);
+    for (const IncidenceFit& at : summary.incidences) text += fmt::format(" {}: {:.3g}", incidence_text(at, "-"), at.rms);
     text += "\n# DHR by theta_i:";
     for (const IncidenceFit& at : summary.incidences) text += fmt::format(" {}: {:.3g}", shortest(at.theta_i), at.dhr);
     text += "\n";

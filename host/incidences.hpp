@@ -12,24 +12,34 @@ namespace brdftab {
 /// what is counted, listed or drawn by incidence goes by groups: a model is evaluated at each sample's own theta_i.
 class Incidences {
  public:
-  /// Degrees: ten times what encoders leave, a quarter of the finest common step.
+  /// Degrees: several times what encoders leave, and less than the steps that goniometers are set to.
   static constexpr double usual_width = 0.25;
 
   /// In degrees, in any order, repeated or not. A width of 0 tells every two numbers apart; a step of the width itself
   /// tells two settings apart.
   Incidences(std::span<const double> theta_i, double width);
 
-  std::size_t size() const { return angles_.size(); }
-  /// The mean of each group's angles, in degrees, increasing; rounded to 0.01 or, where they differ less, more finely.
-  const std::vector<double>& angles() const { return angles_; }
+  /// The same with whole groups joined over ever larger widths, until at most `most` are left; `most` is above 0.
+  Incidences joined(std::size_t most) const;
+
+  std::size_t size() const { return groups_.size(); }
+  /// The mean of a group's angles in degrees, rounded to 0.01 or, where they differ less, more finely; increasing.
+  double angle(std::size_t group) const;
+  std::vector<double> angles() const;
+  /// The lowest and the highest angle of a group, degrees.
+  double lowest(std::size_t group) const { return groups_[group].lowest; }
+  double highest(std::size_t group) const { return groups_[group].highest; }
   /// The group of an angle that the constructor was given.
   std::size_t index(double theta_i) const;
-  /// Lowest and highest angle of a group, degrees.
-  double lowest(std::size_t group) const { return lowest_[group]; }
-  double highest(std::size_t group) const { return highest_[group]; }
 
  private:
-  std::vector<double> angles_, lowest_, highest_;
+  struct Group {
+    double lowest, highest, sum, count;
+  };
+  static std::vector<Group> join(const std::vector<Group>& groups, double width);
+
+  std::vector<Group> groups_;  // by increasing angle
+  double width_;
 };
 
 }  // namespace brdftab

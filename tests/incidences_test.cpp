@@ -20,8 +20,8 @@ TEST(Incidences, ReadBackAnglesAreOneSetting) {
   const Incidences incidences(theta_i, Incidences::usual_width);
   ASSERT_EQ(incidences.size(), 5u);
   const std::vector<double> settings{0.05, 10, 22.5, 60, 60.3};
-  for (std::size_t k = 0; k < 5; ++k) EXPECT_NEAR(incidences.angles()[k], settings[k], 0.01 + 1e-12);
-  for (const double angle : theta_i) EXPECT_NEAR(incidences.angles()[incidences.index(angle)], angle, 0.03);
+  for (std::size_t k = 0; k < 5; ++k) EXPECT_NEAR(incidences.angle(k), settings[k], 0.01 + 1e-12);
+  for (const double angle : theta_i) EXPECT_NEAR(incidences.angle(incidences.index(angle)), angle, 0.03);
 }
 
 TEST(Incidences, RoundingMakesNoSettings) {
@@ -51,6 +51,25 @@ TEST(Incidences, AScanInFineStepsIsNoChain) {
   }
   EXPECT_EQ(Incidences(fine, 0.05).size(), 320u);
   EXPECT_EQ(Incidences(quarters, 0.25).angles(), quarters);
+}
+
+// A list that would be too long takes whole settings together.
+TEST(Incidences, ManySettingsAreListedTogether) {
+  std::vector<double> theta_i;
+  for (int k = 0; k < 320; ++k)
+    for (const double jitter : {-0.01, 0.0, 0.01}) theta_i.push_back(0.3 * k + jitter);
+  const Incidences settings(theta_i, 0.25);
+  ASSERT_EQ(settings.size(), 320u);
+  const Incidences list = settings.joined(20);
+  EXPECT_LE(list.size(), 20u);
+  EXPECT_GE(list.size(), 10u);
+  for (std::size_t k = 0; k < settings.size(); ++k)
+    EXPECT_EQ(list.index(settings.lowest(k)), list.index(settings.highest(k))) << settings.angle(k);
+  double sum = 0;
+  for (const double angle : theta_i) sum += angle - list.angle(list.index(angle));
+  EXPECT_NEAR(sum / static_cast<double>(theta_i.size()), 0, 0.005);
+  EXPECT_EQ(settings.joined(320).angles(), settings.angles());
+  EXPECT_EQ(Incidences(std::vector<double>{10, 80}, 0).joined(1).size(), 1u);
 }
 
 // The closest belong together: a group is not cut where it happens to begin at a stray angle.

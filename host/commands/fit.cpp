@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <set>
 
 #include "host/commands/command.hpp"
 #include "host/fit_pictures.hpp"
@@ -65,7 +64,11 @@ Measurement by_wavelength(const Measurement& measurement) {
   for (std::size_t c = 0; c < measurement.channels.size(); ++c)
     if (!order.emplace(*measurement.wavelength_nm(c), c).second)
       throw BadInput("{}: two channels are {} nm", measurement.source, shortest(*measurement.wavelength_nm(c)));
-  Measurement sorted{.source = measurement.source, .channels = {}, .samples = {}, .warnings = {}};
+  Measurement sorted{.source = measurement.source,
+                     .channels = {},
+                     .samples = {},
+                     .warnings = {},
+                     .incidence_width = measurement.incidence_width};
   for (const auto& [wavelength, c] : order) {
     for (MeasuredSample sample : measurement.channel(c).samples) {
       sample.channel = sorted.channels.size();
@@ -90,12 +93,6 @@ Measurement chosen_channels(const Options& options, const Measurement& measureme
                    excerpt(fmt::format("{}", fmt::join(measurement.channels, ", ")), 200),
                    measurement.wavelength_nm(0) ? "; --wavelengths all fits them together" : "");
   return measurement;
-}
-
-std::size_t incidences(const Measurement& measurement) {
-  std::set<double> angles;
-  for (const auto& sample : measurement.samples) angles.insert(sample.pair.theta_i);
-  return angles.size();
 }
 
 std::string source_line(const Options& options) {
@@ -132,7 +129,7 @@ ExitStatus run(const Options& given, const CommonOptions& common) {
   const Engine engine(device, Precision::float64, Precision::float32);
   const auto start = std::chrono::steady_clock::now();
   FitProblem problem(engine, measurement, options.fit);
-  if (incidences(measurement) == 1)
+  if (problem.incidences().size() == 1)
     say(common, fmt::format("warning: {}: one incidence only: what depends on theta_i stays open", measurement.source));
   const bool profile = options.intervals.empty() ? problem.bands().size() == 1 : options.intervals == "profile";
   const Fit found = fit(problem);
@@ -200,6 +197,10 @@ std::function<ExitStatus()> fit_command(CLI::App& parser, const CommonOptions& c
       ->check(CLI::IsMember({"csv", "alta", "astm", "zemax", "merl"}));
   parser.add_option("--scale", options->measurement.scale, "Factor from the file's values to f in 1/sr")
       ->check(CLI::PositiveNumber);
+  parser
+      .add_option("--incidence-width", options->measurement.incidence_width,
+                  "Samples whose theta_i lie closer together are one angle of incidence, degrees; default 0.25; 0: equal numbers")
+      ->check(CLI::Range(0., 90.));
   parser.add_flag("--flip-azimuth", options->measurement.flip_azimuth, "The file counts azimuth from the backward side");
   parser.add_flag("--force", options->force, "Overwrite an existing material file");
   add_device_option(parser, options->device);

@@ -52,10 +52,12 @@ ExitStatus run(const Options& options, const CommonOptions& common) {
                          : options.polarization == "p" ? Polarization::p
                                                        : Polarization::unpolarized;
   drawn.wavelength_nm = options.wavelength_nm;
-  const std::pair<const char*, bool> of_data[] = {{"--channel", !options.channel.empty()},
-                                                  {"--format", !options.measurement.format.empty()},
-                                                  {"--scale", options.measurement.scale != 1},
-                                                  {"--flip-azimuth", options.measurement.flip_azimuth}};
+  const std::pair<const char*, bool> of_data[] = {
+      {"--channel", !options.channel.empty()},
+      {"--format", !options.measurement.format.empty()},
+      {"--scale", options.measurement.scale != 1},
+      {"--flip-azimuth", options.measurement.flip_azimuth},
+      {"--incidence-width", options.measurement.incidence_width != MeasurementOptions{}.incidence_width}};
   for (const auto& [option, given] : of_data)
     if (given && options.data.empty()) throw BadInput("{}: is of --data, which is not given", option);
   std::vector<Subject> subjects;
@@ -109,6 +111,12 @@ std::function<ExitStatus()> plot_command(CLI::App& parser, const CommonOptions& 
       ->check(CLI::IsMember({"csv", "alta", "astm", "zemax", "merl"}));
   parser.add_option("--scale", options->measurement.scale, "Factor from the values of --data to f in 1/sr")
       ->check(CLI::PositiveNumber);
+  parser
+      .add_option(
+          "--incidence-width", options->measurement.incidence_width,
+          "Samples of --data whose theta_i lie closer together are one angle of incidence, degrees; default 0.25; 0: equal "
+          "numbers")
+      ->check(CLI::Range(0., 90.));
   parser.add_flag("--flip-azimuth", options->measurement.flip_azimuth, "--data counts azimuth from the backward side");
   parser.add_option("--width", options->width, "Width of a PNG in pixels; default: 2.5 for each unit of the SVG")
       ->check(CLI::Range(100, 20000));

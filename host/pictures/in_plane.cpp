@@ -9,15 +9,26 @@ namespace brdftab {
 namespace {
 
 constexpr double nearly_in_plane = 3;
+constexpr double nearly_normal = 0.1;
 constexpr double outermost = 89.9;
 
 }  // namespace
 
 std::optional<double> in_plane_theta_s(const DirectionPair& pair) {
   const double phi = std::remainder(pair.model_phi(), 360);
-  if (pair.model_theta_s() == 0 || std::abs(phi) <= nearly_in_plane) return pair.model_theta_s();
+  if (pair.model_theta_s() <= nearly_normal || std::abs(phi) <= nearly_in_plane) return pair.model_theta_s();
   if (180 - std::abs(phi) <= nearly_in_plane) return -pair.model_theta_s();
   return std::nullopt;
+}
+
+std::vector<InPlaneScan> in_plane_scans(std::span<const MeasuredSample> samples, const Incidences& incidences) {
+  std::vector<InPlaneScan> scans;
+  for (const double theta_i : incidences.angles()) scans.push_back({theta_i, {}});
+  for (const MeasuredSample& sample : samples)
+    if (const auto theta_s = in_plane_theta_s(sample.pair))
+      scans[incidences.index(sample.pair.theta_i)].points.push_back({*theta_s, sample.brdf});
+  std::erase_if(scans, [](const InPlaneScan& scan) { return scan.points.empty(); });
+  return scans;
 }
 
 ChartAxis theta_s_axis() { return {"scatter angle θ_s (degrees; forward side positive)", -90, 90, false, 30}; }
@@ -25,6 +36,10 @@ ChartAxis theta_s_axis() { return {"scatter angle θ_s (degrees; forward side po
 ChartAxis narrow_theta_s_axis() { return {"θ_s (degrees)", -90, 90, false, 30}; }
 
 std::string incidence_label(double theta_i) { return shortest(theta_i) + "°"; }
+
+std::string incidence_label(double first, double last) {
+  return first == last ? incidence_label(first) : shortest(first) + " to " + incidence_label(last);
+}
 
 std::vector<std::vector<ChartPoint>> in_plane_curves(std::span<const double> theta_i, const BrdfAt& brdf) {
   std::vector<std::vector<double>> starts;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "host/direction_list.hpp"
+#include "host/measurement.hpp"
 #include "host/pictures/chart.hpp"
 
 namespace brdftab {
@@ -15,15 +16,25 @@ namespace brdftab {
 inline constexpr const char* brdf_axis_label = "BRDF f_r (sr^{−1})";
 inline constexpr double usual_incidences[] = {0, 10, 20, 30, 40, 50, 60, 70, 80};  // degrees, as the paper's Fig. 3
 
-/// Signed theta_s of a sample, where it is within 3 degrees of azimuth of the plane.
+/// Signed theta_s of a sample, where it is within 3 degrees of azimuth of the plane, or within 0.1 degrees of the normal.
 std::optional<double> in_plane_theta_s(const DirectionPair& pair);
+
+/// What was measured in plane at one setting of theta_i, degrees: f over the signed theta_s.
+struct InPlaneScan {
+  double theta_i;
+  std::vector<ChartPoint> points;
+};
+
+/// By increasing theta_i; the samples' angles are among those of `incidences`.
+std::vector<InPlaneScan> in_plane_scans(std::span<const MeasuredSample> samples, const Incidences& incidences);
 
 /// -90 to 90 degrees; with a short name for panels beside each other.
 ChartAxis theta_s_axis();
 ChartAxis narrow_theta_s_axis();
 
-/// An entry of a legend.
+/// An entry of a legend; of several settings together their first and last.
 std::string incidence_label(double theta_i);
+std::string incidence_label(double first, double last);
 
 /// f at directions, in 1/sr.
 using BrdfAt = std::function<std::vector<double>(std::span<const DirectionPair>)>;

@@ -1,7 +1,7 @@
 // Curves of f in the plane of incidence.
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <vector>
 
 #include "host/error.hpp"
 #include "host/numbers.hpp"
@@ -22,32 +22,25 @@ constexpr double lobe_decades = 2;
 // Beyond this theta_s, shadowing may take f to nothing, and curves leave through the axis.
 constexpr double farthest_low = 80;
 
-using MeasuredPoints = std::map<double, std::vector<ChartPoint>>;  // by theta_i
+using Scans = std::vector<InPlaneScan>;
 
-MeasuredPoints in_plane_points(const Measurement& data) {
-  MeasuredPoints points;
-  for (const MeasuredSample& sample : data.samples)
-    if (const auto theta_s = in_plane_theta_s(sample.pair)) points[sample.pair.theta_i].push_back({*theta_s, sample.brdf});
-  if (points.empty()) throw BadInput("{}: no sample lies in the plane of incidence", data.source);
-  return points;
-}
-
-std::vector<double> incidences(const Subject& subject, const PlotOptions& options, const MeasuredPoints& measured) {
+std::vector<double> incidences(const Subject& subject, const PlotOptions& options, const Scans& measured) {
   if (options.theta_i) {
     if (subject.is_table()) subject.nodes_theta_i(*options.theta_i);
     return *options.theta_i;
   }
   if (measured.empty() || subject.is_table()) return subject.usual_theta_i(usual_incidences);
   std::vector<double> angles;
-  for (const std::size_t k : spread_indices(measured.size(), most_measured))
-    angles.push_back(std::next(measured.begin(), static_cast<std::ptrdiff_t>(k))->first);
+  for (const std::size_t k : spread_indices(measured.size(), most_measured)) angles.push_back(measured[k].theta_i);
   return angles;
 }
 
-std::vector<ChartPoint> at_incidence(const MeasuredPoints& measured, double theta_i) {
-  for (const auto& [angle, points] : measured)
-    if (std::abs(angle - theta_i) <= same_incidence) return points;
-  return {};
+std::vector<ChartPoint> at_incidence(const Scans& measured, double theta_i, double width) {
+  const auto distance = [&](const InPlaneScan& scan) { return std::abs(scan.theta_i - theta_i); };
+  const auto nearest =
+      std::min_element(measured.begin(), measured.end(), [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
+  if (nearest == measured.end() || distance(*nearest) > std::max(same_incidence, 0.5 * width)) return {};
+  return nearest->points;
 }
 
 ChartAxis axis_around(const std::vector<Panel>& panels) {
@@ -63,7 +56,8 @@ ChartAxis axis_around(const std::vector<Panel>& panels) {
 
 Chart in_plane_chart(std::span<const Subject> subjects, const PlotOptions& options, const EngineSource& engine) {
   const Polarization polarization = drawn_polarization(subjects, options);
-  const MeasuredPoints measured = options.data ? in_plane_points(*options.data) : MeasuredPoints{};
+  const Scans measured = options.data ? in_plane_scans(options.data->samples, options.data->incidences()) : Scans{};
+  if (options.data && measured.empty()) throw BadInput("{}: no sample lies in the plane of incidence", options.data->source);
   Chart chart{.title = picture_title(subjects, "BRDF in the plane of incidence"),
               .subtitle = light_text(subjects[0], options, polarization),
               .legend_title = "incidence θ_i",
@@ -90,7 +84,7 @@ Chart in_plane_chart(std::span<const Subject> subjects, const PlotOptions& optio
         panel.dots(incidence_label(theta_i[i]), TableSlice::read(subject, node, band, polarization).in_plane(), node_radius);
         any_table = true;
       }
-      if (auto points = at_incidence(measured, theta_i[i]); !points.empty()) {
+      if (auto points = at_incidence(measured, theta_i[i], options.data ? options.data->incidence_width : 0); !points.empty()) {
         panel.dots(incidence_label(theta_i[i]), std::move(points));
         ++shown;
       }
