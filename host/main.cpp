@@ -9,6 +9,7 @@
 #include "host/commands/command.hpp"
 #include "host/interrupt.hpp"
 #include "host/opencl.hpp"
+#include "host/pocl_cache.hpp"
 #include "host/table_content.hpp"
 
 namespace brdftab {
@@ -95,6 +96,7 @@ int run(int argc, char** argv) {
   }
   catch_interrupts();
   const ExitStatus status = chosen();
+  if (!damaged_pocl_cache().empty()) say(common, damaged_pocl_cache());
   if (std::fflush(stdout) != 0 || std::ferror(stdout)) return fail(ExitStatus::file, "standard output cannot be written");
   return static_cast<int>(status);
 }
