@@ -43,6 +43,7 @@ def main():
     source, output = sys.argv[1:]
     with open(source, encoding="utf-8") as file:
         measured = json.load(file)
+    measured = measured.get("figures", measured)  # as bench/figures saves it, or as `brdftab bench` does
     with open(output, "w", encoding="utf-8") as file:
         file.write(draw(measured["devices"][0]))
 
