@@ -14,8 +14,8 @@ Hdf5Handle create_file(const std::filesystem::path& path, H5F_libver_t oldest) {
   // The same table is the same bytes, whenever it is made.
   hdf5_check(H5Pset_obj_track_times(creation, false), "object times");
   const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), "HDF5 file properties");
-  // Since 1.8 an attribute may exceed 64 KiB, as a material's text may. Views, and a short form of the strided
-  // selections that they may take, came with 1.10.
+  // Since 1.8 an attribute may exceed 64 KiB, as one value for each of many wavelengths may. Views, and a short form of the
+  // strided selections that they may take, came with 1.10.
   hdf5_check(H5Pset_libver_bounds(access, oldest, oldest), "HDF5 version");
   // Made anew, not truncated: ext4 takes a truncated file for one that replaces another, and closing it for a flush.
   std::filesystem::remove(path);

@@ -55,13 +55,15 @@ void Hdf5Handle::close(std::string_view what) {
 }
 
 void write_attribute(hid_t object, const std::string& name, std::string_view text) {
-  // Fixed-length strings: ncdump shows them as plain text, older CF tools read nothing else.
+  // Of variable length: h5py gives such a string as str, and one of fixed length as bytes.
   const Hdf5Handle type(H5Tcopy(H5T_C_S1), "string type");
-  hdf5_check(H5Tset_size(type, text.size() + 1), "string size");
+  hdf5_check(H5Tset_size(type, H5T_VARIABLE), "string size");
   hdf5_check(H5Tset_cset(type, H5T_CSET_UTF8), "string encoding");
   const Hdf5Handle space(H5Screate(H5S_SCALAR), "attribute space");
   const Hdf5Handle attribute(H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), "attribute " + name);
-  hdf5_check(H5Awrite(attribute, type, std::string(text).c_str()), "attribute " + name);
+  const std::string terminated(text);
+  const char* const start = terminated.c_str();
+  hdf5_check(H5Awrite(attribute, type, &start), "attribute " + name);
 }
 
 void write_attribute(hid_t object, const std::string& name, double value) {
@@ -84,13 +86,20 @@ bool has_text_attribute(hid_t object, const std::string& name) {
   const Hdf5Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), "attribute " + name);
   const Hdf5Handle type(H5Aget_type(attribute), "attribute " + name);
   const Hdf5Handle space(H5Aget_space(attribute), "attribute " + name);
-  return H5Tget_class(type) == H5T_STRING && H5Tis_variable_str(type) == 0 && H5Sget_simple_extent_npoints(space) == 1;
+  return H5Tget_class(type) == H5T_STRING && H5Sget_simple_extent_npoints(space) == 1;
 }
 
 std::string read_text_attribute(hid_t object, const std::string& name) {
-  if (!has_text_attribute(object, name)) throw FileError("attribute {} is not one fixed-length string", name);
+  if (!has_text_attribute(object, name)) throw FileError("attribute {} is not one string", name);
   const Hdf5Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), "attribute " + name);
   const Hdf5Handle type(H5Aget_type(attribute), "attribute " + name);
+  if (H5Tis_variable_str(type) > 0) {
+    char* start = nullptr;  // HDF5 gives none for an empty string
+    hdf5_check(H5Aread(attribute, type, &start), "attribute " + name);
+    std::string text(start ? start : "");
+    H5free_memory(start);
+    return text;
+  }
   std::string text(H5Tget_size(type), '\0');
   hdf5_check(H5Aread(attribute, type, text.data()), "attribute " + name);
   text.resize(std::min(text.find('\0'), text.size()));

@@ -38,11 +38,12 @@ void hdf5_check(herr_t status, std::string_view what);
 /// Silences HDF5's own printing of its error stack, for the life of this thread.
 void hdf5_quiet();
 
+/// One variable-length UTF-8 string, of any length.
 void write_attribute(hid_t object, const std::string& name, std::string_view text);
 void write_attribute(hid_t object, const std::string& name, double value);
 void write_attribute(hid_t object, const std::string& name, std::span<const double> values);
 
-/// Whether an open object has an attribute that is one fixed-length string.
+/// Whether an open object has an attribute that is one string, of variable length or, as in older tables, of fixed length.
 bool has_text_attribute(hid_t object, const std::string& name);
 /// Throws FileError where it has none.
 std::string read_text_attribute(hid_t object, const std::string& name);

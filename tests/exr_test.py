@@ -134,8 +134,7 @@ class Header(InFolder):
                 if name in ("Conventions", "history"):
                     continue
                 with self.subTest(name):
-                    expected = value.decode() if isinstance(value, bytes) else value
-                    self.assertEqual(attributes["brdf:" + name], expected)
+                    self.assertEqual(attributes["brdf:" + name], value)
             for name in ("theta_i", "phi_i", "theta_s", "phi_s", "normalization_surface", "dhr", "dhr_bulk"):
                 self.assertEqual([float(v) for v in str(attributes["brdf:" + name]).split(",")], list(file[name]))
         self.assertEqual(attributes["brdf:material"], VINYL.read_text())

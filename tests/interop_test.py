@@ -2,6 +2,7 @@
 
 import csv
 import io
+import json
 import pathlib
 import random
 import shutil
@@ -11,9 +12,10 @@ import tomllib
 import unittest
 
 import h5py
+import netCDF4
 import xarray
 
-from program import DONE, SMALL_GRID, VINYL, run
+from program import DONE, MATERIALS, SMALL_GRID, VINYL, InFolder, run
 
 GRID = ["--theta-i", "0:85:5", "--phi-i", "0:355:5", "--theta-s", "0:89:1", "--phi-s", "0:360:5"]
 
@@ -38,7 +40,7 @@ class DenseTable(unittest.TestCase):
             self.assertEqual(brdf.shape, (18, 72, 90, 73))
             self.assertEqual(brdf.dtype, "float32")
             self.assertEqual([d[0].name for d in brdf.dims], ["/theta_i", "/phi_i", "/theta_s", "/phi_s"])
-            self.assertEqual(brdf.attrs["units"].decode() if isinstance(brdf.attrs["units"], bytes) else brdf.attrs["units"], "sr-1")
+            self.assertEqual(brdf.attrs["units"], "sr-1")
             self.assertEqual(file.attrs["rho_surface"], tomllib.loads(VINYL.read_text())["parameters"]["rho_surface"])
             for name in ("normalization_surface", "normalization_bulk", "normalization_retro", "dhr", "dhr_surface", "dhr_bulk", "dhr_retro"):
                 self.assertEqual(file[name].shape, (18,))
@@ -58,8 +60,9 @@ class DenseTable(unittest.TestCase):
     def test_ncdump_prints_the_header(self):
         text = subprocess.run(["ncdump", "-h", self.table], capture_output=True, text=True, check=True).stdout
         self.assertIn("float brdf(theta_i, phi_i, theta_s, phi_s)", text)
-        self.assertIn('Conventions = "CF-1.10"', text)
-        self.assertIn('brdf:units = "sr-1"', text)
+        self.assertIn('string :Conventions = "CF-1.10" ;', text)
+        self.assertIn('string brdf:units = "sr-1" ;', text)
+        self.assertIn('string theta_s:standard_name = "angle_of_emergence" ;', text)
 
     @unittest.skipUnless(shutil.which("h5dump"), "h5dump is not installed")
     def test_h5dump_finds_the_scales(self):
@@ -106,15 +109,6 @@ class OtherTables(unittest.TestCase):
             self.assertLess(float(abs(data.brdf / mean - 1).max()), 1e-14)
             self.assertTrue(bool((data.brdf.sel(wavelength=650) > data.brdf.sel(wavelength=450)).all()))
 
-    def test_a_long_material_text_is_carried_whole(self):
-        material = self.folder / "long.toml"
-        material.write_text(VINYL.read_text() + "".join(f"# note {k}\n" for k in range(20000)))
-        table = self.folder / "long.h5"
-        self.assertEqual(run("generate", material, "-o", table, *SMALL_GRID).returncode, DONE)
-        for engine in ("netcdf4", "h5netcdf"):
-            with self.subTest(engine), xarray.open_dataset(table, engine=engine) as data:
-                self.assertEqual(data.attrs["material"], material.read_text())
-
     @unittest.skipUnless(shutil.which("octave-cli"), "Octave is not installed")
     def test_octave_loads_it_with_dimensions_reversed(self):
         table = self.folder / "t.h5"
@@ -122,6 +116,109 @@ class OtherTables(unittest.TestCase):
         script = f"d = load('{table}'); disp(size(d.brdf)); disp(d.theta_s(2));"
         text = subprocess.run(["octave-cli", "--eval", script], capture_output=True, text=True, check=True).stdout
         self.assertEqual(text.split(), ["13", "12", "1", "5", "8"])
+
+
+class Texts(InFolder):
+    """Attributes that are text."""
+
+    def made(self, material, name, *options):
+        table = self.folder / name
+        result = run("generate", material, "-o", table, *options)
+        self.assertEqual(result.returncode, DONE, result.stderr)
+        return table
+
+    def long_material(self):
+        """Text beyond ASCII, and beyond the 64 KiB that an attribute of an HDF5 object's header can have."""
+        material = self.folder / "long.toml"
+        description = "Mattlack „grün“, θ_i 0 to 60° – 测量 " + "x" * 100_000
+        notes = "".join(f"# note {k}\n" for k in range(20000))
+        text = VINYL.read_text()
+        self.assertEqual(text.count("\ndescription ="), 1)
+        lines = [f'description = "{description}"' if line.startswith("description =") else line for line in text.splitlines()]
+        material.write_text("\n".join(lines) + "\n" + notes)
+        return material, description
+
+    def assert_strings(self, table):
+        """Every text is one variable-length UTF-8 string: str in h5py. Returns how many there are."""
+        texts = 0
+        with h5py.File(table) as file:
+            for holder in (file, *file.values()):
+                for name, value in holder.attrs.items():
+                    if name in ("CLASS", "NAME", "DIMENSION_LIST", "REFERENCE_LIST"):  # HDF5's own, for its dimension scales
+                        continue
+                    kind = holder.attrs.get_id(name).dtype
+                    if kind.kind == "f":
+                        continue
+                    with self.subTest(f"{holder.name}: {name}"):
+                        self.assertIs(type(value), str)
+                        self.assertEqual(h5py.check_string_dtype(kind), ("utf-8", None))
+                        texts += 1
+                if isinstance(holder, h5py.Dataset):
+                    self.assertTrue(holder.attrs["units"] and holder.attrs["long_name"])
+        return texts
+
+    def test_h5py_gives_str(self):
+        plain = self.made(VINYL, "plain.h5", *SMALL_GRID)
+        self.assertGreater(self.assert_strings(plain), 40)
+        for k, (material, *options) in enumerate(((MATERIALS / "garnet-red-spectrum.toml", *SMALL_GRID),
+                                                  (VINYL, *SMALL_GRID, "--layout", "virtual", "--polarization", "all"),
+                                                  (VINYL, *SMALL_GRID, "--keep-bits", "12", "--compress", "deflate"),
+                                                  (VINYL, "--interpolation-error", "20%"), (self.long_material()[0], *SMALL_GRID))):
+            with self.subTest(options):
+                self.assertGreater(self.assert_strings(self.made(material, f"{k}.h5", *options)), 40)
+        with self.subTest("eradiate"):
+            simulator = self.made(VINYL, "eradiate.nc", "--format", "eradiate", "--eradiate-cosines", "11", "--eradiate-azimuths", "12")
+            self.assertGreater(self.assert_strings(simulator), 15)
+
+    def test_long_texts_beyond_ascii_are_carried_whole(self):
+        material, description = self.long_material()
+        table = self.made(material, "long.h5", *SMALL_GRID)
+        expected = {"description": description, "material": material.read_text()}
+        found = {"info": json.loads(run("info", "--json", table).stdout)["attributes"]}
+        with h5py.File(table) as file:
+            found["h5py"] = dict(file.attrs)
+        with netCDF4.Dataset(table) as file:
+            found["netCDF4"] = {name: file.getncattr(name) for name in file.ncattrs()}
+        for engine in ("netcdf4", "h5netcdf"):
+            with xarray.open_dataset(table, engine=engine) as data:
+                found[engine] = data.attrs
+        for reader, attributes in found.items():
+            with self.subTest(reader):
+                for name, text in expected.items():
+                    self.assertTrue(attributes[name] == text, f"{name}: {len(attributes[name])} of {len(text)} characters")
+        header = subprocess.run(["ncdump", "-h", table], capture_output=True, text=True, check=True).stdout
+        self.assertTrue(description in header)
+
+    def test_tables_with_fixed_length_strings_are_read_as_well(self):
+        for name, material in (("short", VINYL), ("long", self.long_material()[0])):
+            with self.subTest(name):
+                table = self.made(material, f"{name}.h5", *SMALL_GRID)
+                new = self.all_that_is_read(table)
+                with h5py.File(table, "r+") as file:
+                    for holder in (file, *file.values()):
+                        for key, value in list(holder.attrs.items()):
+                            if isinstance(value, str):
+                                size = len(value.encode()) + 1
+                                del holder.attrs[key]
+                                holder.attrs.create(key, value.encode(), dtype=h5py.string_dtype("utf-8", size))
+                    self.assertNotIsInstance(file.attrs["material"], str)
+                old = self.all_that_is_read(table)
+                # Names only: a difference of such long texts takes minutes to print.
+                self.assertEqual([key for key in new if old[key] != new[key]], [])
+
+    def all_that_is_read(self, table):
+        picture, again = table.with_suffix(".svg"), table.with_name("again.h5")
+        found = {command: json.loads(self.said(command, "--json", table)) for command in ("info", "validate")}
+        self.said("plot", table, "-o", picture, "--force")
+        self.said("generate", table, "-o", again, *SMALL_GRID, "--force")
+        with h5py.File(again) as file:
+            found |= {"picture": picture.read_text(), "samples": file["brdf"][()].tobytes(), "material": file.attrs["material"]}
+        return found
+
+    def said(self, *arguments):
+        result = run(*arguments)
+        self.assertEqual(result.returncode, DONE, result.stderr)
+        return result.stdout
 
 
 if __name__ == "__main__":

@@ -101,7 +101,13 @@ class SameSamples(unittest.TestCase):
         self.assertLess(size["strongest"], size["deflate"])
         self.assertLess(size["deflate"], size["plain"] / 2)
         self.assertLess(size["view"], size["plain"] / 10)
-        self.assertLess(size["deflated-view"], size["view"])
+        # Samples alone: these are so few that what HDF5 leaves free between its own structures weighs more.
+        stored = {}
+        for name in ("view", "deflated-view"):
+            with h5py.File(self.folder / f"{name}.h5") as file:
+                stored[name] = file["brdf_relative"].id.get_storage_size()
+        self.assertEqual(stored["view"], 5 * 18 * 72 * 4)
+        self.assertLess(stored["deflated-view"], stored["view"])
         for name in STORAGES:
             if name == "plain":
                 self.assertNotIn("ratio", self.talk[name])

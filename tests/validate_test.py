@@ -311,7 +311,7 @@ class Damaged(InFolder):
         table = self.make()
 
         def change(file):
-            text = re.sub(r"(?m)^rho_bulk = .*$", "rho_bulk = 0.89", file.attrs["material"].decode())
+            text = re.sub(r"(?m)^rho_bulk = .*$", "rho_bulk = 0.89", file.attrs["material"])
             del file.attrs["material"]
             file.attrs["material"] = numpy.bytes_(text)
 
