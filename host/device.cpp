@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <sstream>
 
+#include "host/driver_abort.hpp"
 #include "host/error.hpp"
 #include "host/numbers.hpp"
 #include "host/pocl_cache.hpp"
@@ -76,6 +77,7 @@ std::vector<Device> list_devices() {
     const std::string name(trimmed(platforms[p].getInfo<CL_PLATFORM_NAME>()));
     for (std::size_t d = 0; d < handles.size(); ++d) devices.push_back(describe_device(handles[d], name, p, d));
   }
+  catch_driver_abort();
   if (devices.empty())
     no_device(fmt::format("platform {} has none", std::string(trimmed(platforms[0].getInfo<CL_PLATFORM_NAME>()))));
   for (std::size_t k = 0; k < devices.size(); ++k) devices[k].index = k;

@@ -7,6 +7,7 @@
 #include "host/kernel_constants.hpp"
 #include "host/kernel_source.hpp"
 #include "host/numbers.hpp"
+#include "host/pocl_cache.hpp"
 
 namespace brdftab {
 namespace {
@@ -55,6 +56,8 @@ cl::Program Engine::build(const std::string& options) const {
   } catch (const cl::BuildError& error) {
     std::string log;
     for (const auto& [built_for, text] : error.getBuildLog()) log += text;
+    if (const auto shortage = pocl_cache_shortage(); !shortage.empty())
+      throw Error(ExitStatus::device, "the kernels do not build on {}: {}", device_.name, shortage);
     throw Error(ExitStatus::device, "the kernels do not build on {} with {}:\n{}", device_.description(), options, log);
   }
   return program;

@@ -43,6 +43,15 @@ class PoclCache {
 };
 
 std::string damage_line;
+fs::path chosen_folder;
+
+// Empty if there is enough space, otherwise how little.
+std::string shortage(const fs::path& folder) {
+  struct statvfs space {};
+  if (statvfs(folder.c_str(), &space) != 0 || static_cast<unsigned long long>(space.f_bavail) * space.f_frsize >= room_needed)
+    return {};
+  return fmt::format("has less than {} MiB of free space", room_needed >> 20);
+}
 
 // Empty if PoCL can work in the folder, otherwise the cause.
 std::string obstacle(const fs::path& folder) {
@@ -55,10 +64,7 @@ std::string obstacle(const fs::path& folder) {
   struct stat status {};
   if (lstat(folder.c_str(), &status) != 0 || !S_ISDIR(status.st_mode) || status.st_uid != geteuid())
     return fmt::format("holds {}, which is not a folder of this user", folder.filename().string());
-  struct statvfs space {};
-  if (statvfs(folder.c_str(), &space) == 0 && static_cast<unsigned long long>(space.f_bavail) * space.f_frsize < room_needed)
-    return fmt::format("has less than {} MiB of free space", room_needed >> 20);
-  return {};
+  return shortage(folder);
 }
 
 // The cache in a place, or none and the cause.
@@ -102,6 +108,7 @@ std::unique_ptr<PoclCache> find_cache() {
 std::unique_ptr<PoclCache> open_cache() {
   auto cache = find_cache();
   setenv("POCL_CACHE_DIR", cache->work().c_str(), 1);
+  chosen_folder = cache->work().parent_path();
   if (const auto& [files, first] = cache->damage(); files > 0)
     damage_line =
         fmt::format("PoCL's cache {} was damaged ({}{}): what is missing is compiled anew", cache->work().parent_path().string(),
@@ -114,5 +121,12 @@ std::unique_ptr<PoclCache> open_cache() {
 void choose_pocl_cache() { static const std::unique_ptr<PoclCache> cache = open_cache(); }
 
 const std::string& damaged_pocl_cache() { return damage_line; }
+
+std::string pocl_cache_folder() { return chosen_folder.string(); }
+
+std::string pocl_cache_shortage() {
+  const std::string cause = chosen_folder.empty() ? "" : shortage(chosen_folder);
+  return cause.empty() ? "" : fmt::format("{} {}", chosen_folder.string(), cause);
+}
 
 }  // namespace brdftab

@@ -16,4 +16,10 @@ void choose_pocl_cache();
 /// What choose_pocl_cache found damaged, in one line; empty if nothing.
 const std::string& damaged_pocl_cache();
 
+/// The folder that choose_pocl_cache has chosen.
+std::string pocl_cache_folder();
+
+/// Why PoCL may fail to compile by now: too little space in that folder. Empty if there is enough.
+std::string pocl_cache_shortage();
+
 }  // namespace brdftab

@@ -9,7 +9,7 @@ import tempfile
 import time
 import unittest
 
-from program import DONE, PROGRAM, SMALL_GRID, VINYL, InFolder, environment, run
+from program import DEVICE, DONE, PROGRAM, SMALL_GRID, VINYL, InFolder, environment, run
 
 REPAIRED = "was damaged"
 
@@ -208,6 +208,31 @@ class PoclCache(InFolder):
             process.communicate()
         self.start()
         self.assert_warm()
+
+    def test_a_linker_that_fails(self):
+        """PoCL aborts where a kernel cannot be linked, as on a full disk."""
+        tools = self.folder / "tools"
+        tools.mkdir()
+        (tools / "ld").write_text("#!/bin/sh\necho 'No space left on device' >&2\nexit 1\n")
+        (tools / "ld").chmod(0o755)
+        path = f"{tools}:{os.environ['PATH']}"
+        failed = run("generate", VINYL, "-o", self.folder / "t.h5", *SMALL_GRID, PATH=path, POCL_CACHE_DIR=str(self.cache))
+        if failed.returncode == DONE:
+            self.skipTest("this PoCL does not take its linker from PATH")
+        self.assertEqual(failed.returncode, DEVICE, failed.stderr)
+        self.assertIn(str(self.cache), failed.stderr)
+        self.assertFalse((self.folder / "t.h5").exists())
+        self.start()
+        self.assert_warm()
+
+    def test_small_disk(self):
+        self.cache.mkdir()
+        mount = ["mount", "-t", "tmpfs", "-o", "size=2m", "tmpfs", str(self.cache)]
+        if os.geteuid() != 0 or subprocess.run(mount, capture_output=True).returncode != 0:
+            self.skipTest("mounting a small tmpfs takes root")
+        self.addCleanup(subprocess.run, ["umount", str(self.cache)])
+        result = run("generate", VINYL, "-o", self.folder / "t.h5", POCL_CACHE_DIR=str(self.cache))
+        self.assert_refused(result, DEVICE, f"POCL_CACHE_DIR={self.cache}", "less than 64 MiB of free space")
 
     def test_folders_of_running_programs_stay(self):
         self.warm_up()
