@@ -2,6 +2,7 @@
 
 import csv
 import io
+import itertools
 import json
 import pathlib
 import re
@@ -21,8 +22,8 @@ from sections.text import SPAN, TABLE  # noqa: E402
 BUILD = pathlib.Path(shutil.which(PROGRAM)).resolve().parent
 TEXTS = ["README.md", "kernels/README.md", "host/FORMATS.md"]
 BY_HAND = ["off by 3.1 %", "after 2.5 s", "in 40 ms", "64 MB", "10.8 GB/s", "2.5e-7", "1.2e7 directions", "45 times as long",
-           "12 of 20", "14 000 times", "2 ulp beyond"]
-SETTINGS = ["`--interpolation-error 3%`", "18 × 36 nodes", "at 30° and 45°", "PoCL 3.1", "Eq. (12)", "```\nsleep 3 s\n```",
+           "12 of 20", "14 000 times", "2 ulp beyond", "a ratio of 1.92", "DHR 1.23"]
+SETTINGS = ["`--interpolation-error 3%`", "18 × 36 nodes", "at 30.5° and 45°", "PoCL 3.1", "Eq. (12)", "```\nsleep 3 s\n```",
             "[a link](page-3%20s)"]
 # Another compiler, C library or release of libdeflate may move a figure a little: less than the two digits that texts show.
 TOLERANCE = 0.01
@@ -66,7 +67,7 @@ class Texts(InFolder):
             (self.folder / name).write_text(text)
 
     def test_figures_by_hand_are_found(self):
-        for name, figure in zip(TEXTS * 4, BY_HAND):
+        for name, figure in zip(itertools.cycle(TEXTS), BY_HAND):
             with self.subTest(figure):
                 text = (ROOT / name).read_text()
                 (self.folder / name).write_text(text + f"\nThat was {figure} here.\n")

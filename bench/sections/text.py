@@ -15,7 +15,9 @@ CODE = re.compile(r"^```.*?^```|`[^`\n]*`|(?<=\])\([^)\s]*\)", re.DOTALL | re.MU
 NUMBER = r"(?<![\w.,^/-])[-−+]?\d[\d., ]*?"
 UNITS = (r"%|percent|(?:[µnm]s|s|min|minutes|hours|seconds|ulp)\b|[kKMGT]i?B\b|bytes\b|times\b|of \d+\b|"
          r"(?:samples|values|directions|nodes)/s\b")
-FIGURE = re.compile(rf"{NUMBER}(?:e[-−+]?\d+\b|[  ]?(?:{UNITS}))", re.MULTILINE)
+# A decimal without a unit is a figure too, unless it is an angle or a version: PoCL 3.1.
+VERSION = r"\b[A-Z]\w*[a-z0-9]\w* \d+\.[\d.]+"
+FIGURE = re.compile(rf"{NUMBER}(?:e[-−+]?\d+\b|[  ]?(?:{UNITS}))|(?<![\w.])\d+\.\d+(?![\w.°]| degrees)")
 
 
 def generated(name, blocks, results):
@@ -62,9 +64,10 @@ def occurrences(text, phrase):
 
 
 def strays(text, phrases):
-    """(line, figure) of every number with a unit that is neither generated nor within a phrase."""
+    """(line, figure) of every number with a unit, and of every decimal, that is neither generated nor within a phrase."""
     prose = by_hand(text)
     allowed = [at.span() for phrase in phrases for at in occurrences(prose, phrase)]
+    allowed += [at.span() for at in re.finditer(VERSION, prose)]
     for figure in FIGURE.finditer(prose):
         if not any(start <= figure.start() and figure.end() <= end for start, end in allowed):
             yield prose.count("\n", 0, figure.start()) + 1, figure[0]
