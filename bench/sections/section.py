@@ -53,13 +53,13 @@ class Program:
     def brdftab(self, *arguments, **rest):
         return self.run(self.build / "brdftab", *arguments, **rest)
 
-    def peak_memory(self, *arguments):
-        """Bytes of memory that the program held at most."""
-        process = subprocess.Popen(self._kept([self.build / "brdftab", *arguments]), cwd=self.folder)
+    def usage(self, *arguments):
+        """What the program took: (bytes of memory that it held at most, seconds of all cores, whoever else uses them)."""
+        process = subprocess.Popen(self._kept([self.build / "brdftab", *arguments]), cwd=self.folder, stdout=subprocess.DEVNULL)
         _, status, usage = os.wait4(process.pid, 0)
         if status:
             raise SystemExit(f"{self.commands[-1]}: exit status {os.waitstatus_to_exitcode(status)}")
-        return usage.ru_maxrss * 1024
+        return usage.ru_maxrss * 1024, usage.ru_utime + usage.ru_stime
 
     @functools.cached_property
     def device(self):

@@ -1,4 +1,4 @@
-"""Rates of the kernels, and the memory that whole commands take."""
+"""Rates of the kernels, and what whole commands take."""
 
 import json
 
@@ -57,9 +57,27 @@ def memory(program):
     """Peak memory of `generate` for tables of 1 and 4 GB."""
     command = ["generate", "-q", program.materials["garnet-red-paint"], "-o", "table.h5", "--force", "--theta-i", "0:85:5",
                "--phi-i", "0:355:5", "--theta-s", "0:89:1", "--phi-s"]
-    return {gigabytes: program.peak_memory(*command, f"0:360:{step}") for gigabytes, step in (("1", 0.16), ("4", 0.04))}
+    return {gigabytes: program.usage(*command, f"0:360:{step}")[0] for gigabytes, step in (("1", 0.16), ("4", 0.04))}
 
 
 @block
 def peak_memory(results):
     return plain(max(results["memory"].values()) / 1e9, 1) + " GB"
+
+
+@section()
+def reciprocal_normalization(program):
+    """Seconds of all cores that integrate takes for brown vinyl at 91 angles, with either N: the least of three."""
+    text = program.materials["brown-vinyl"].read_text()
+    figures = {}
+    for kind in ("hemispherical", "reciprocal"):
+        (program.folder / f"{kind}.toml").write_text(f'{text}\n[model]\nnormalization = "{kind}"\n')
+        # The first run compiles kernels.
+        figures[kind] = min(program.usage("integrate", f"{kind}.toml", "--theta-i", "0:45:0.5")[1] for _ in range(3))
+    return figures
+
+
+@block
+def reciprocal_ratio(results):
+    seconds = results["reciprocal-normalization"]
+    return plain(seconds["reciprocal"] / seconds["hemispherical"])
