@@ -45,7 +45,8 @@ class Program:
         """The command as text; its line is kept as it is typed at the root of the checkout."""
         command = [str(part) for part in command]
         if not pathlib.Path(command[0]).exists():
-            raise NotMeasured(f"{command[0]}: is not built")
+            target = pathlib.Path(command[0]).name
+            raise NotMeasured(f"{command[0]}: does not exist: tests/run makes it, or cmake --build --preset release --target {target}")
         line = shlex.join(command).replace(f"{self.build}/", ".build/release/").replace(f"{self.root}/", "")
         self.commands.append(line if self.data is None else line.replace(f"{self.data.resolve()}/", ""))
         return command
