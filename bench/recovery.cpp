@@ -4,6 +4,7 @@
 //        recovery coverage [TRIALS] [SEED]    3 % noise, intervals by profile likelihood
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <map>
 

@@ -1,5 +1,6 @@
 #include "host/gradient_batch.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <thread>

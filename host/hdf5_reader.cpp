@@ -105,9 +105,12 @@ VariableInfo variable_of(hid_t file, const std::string& name) {
   return variable;
 }
 
+/// A link that leads nowhere is no dataset; an object that cannot be opened is damage. H5Oget_info_by_name would tell as well,
+/// but has another signature in each release of HDF5.
 bool is_dataset(hid_t file, const std::string& name) {
-  H5O_info_t object;
-  return H5Oget_info_by_name(file, name.c_str(), &object, H5P_DEFAULT) >= 0 && object.type == H5O_TYPE_DATASET;
+  if (H5Oexists_by_name(file, name.c_str(), H5P_DEFAULT) <= 0) return false;
+  const Hdf5Handle object(H5Oopen(file, name.c_str(), H5P_DEFAULT), name);
+  return H5Iget_type(object) == H5I_DATASET;
 }
 
 class Hdf5Reader : public TableReader {

@@ -1,5 +1,6 @@
 #include "host/normalization_curve.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <numbers>

@@ -1,5 +1,6 @@
 #include "host/workload.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <numeric>

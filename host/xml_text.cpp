@@ -1,5 +1,6 @@
 #include "host/xml_text.hpp"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 

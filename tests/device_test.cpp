@@ -2,6 +2,8 @@
 // path and factored path, in every precision.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "host/error.hpp"
 #include "host/evaluate.hpp"
 #include "host/integrals.hpp"

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "bench/synthetic.hpp"
 #include "host/error.hpp"
 #include "host/fit_summary.hpp"

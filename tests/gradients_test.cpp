@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "host/kernels_on_host.hpp"
 #include "host/reference/model.hpp"
 #include "tests/random_materials.hpp"

@@ -2,6 +2,8 @@
 // whole valid ranges and their ends.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "host/reference/model.hpp"
 #include "host/kernels_on_host.hpp"
 #include "tests/random_materials.hpp"

@@ -1,6 +1,7 @@
 // Measurements in other programs' formats: their conventions become theta_i, theta_s and phi = 0 forward, f in 1/sr.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <numbers>

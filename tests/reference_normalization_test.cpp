@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <boost/math/quadrature/gauss.hpp>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 

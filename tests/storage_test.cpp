@@ -1,6 +1,7 @@
 // Rung 4 for tables that are not stored plainly: compressed, of fewer mantissa bits, or shown as a view.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <filesystem>

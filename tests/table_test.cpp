@@ -1,6 +1,7 @@
 // Rung 4: the device's buffers against the file read back; and files that must not appear.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 #include <filesystem>
 

@@ -66,9 +66,12 @@ AdaptiveWarp::AdaptiveWarp(std::span<const float> densities, std::size_t rows, s
   const double row_step = 1 / static_cast<double>(rows - 1), column_step = 1 / static_cast<double>(columns - 1);
   for (std::size_t square = 0; square < squares; ++square) {
     const std::size_t first_row = square * rows, end = first_row + rows;
-    for (std::size_t row = first_row; row < end; ++row)
-      for (std::size_t k = row * columns + 1; k < (row + 1) * columns; ++k)
-        row_integrals_[k] = row_integrals_[k - 1] + 0.5 * column_step * (values_[k - 1] + values_[k]);
+    for (std::size_t row = first_row; row < end; ++row) {
+      const double* value = &values_[row * columns];
+      double* integral = &row_integrals_[row * columns];
+      for (std::size_t column = 1; column < columns; ++column)
+        integral[column] = integral[column - 1] + 0.5 * column_step * (value[column - 1] + value[column]);
+    }
     const auto whole_row = [&](std::size_t row) { return row_integrals_[(row + 1) * columns - 1]; };
     for (std::size_t row = first_row + 1; row < end; ++row)
       integrals_[row] = integrals_[row - 1] + 0.5 * row_step * (whole_row(row - 1) + whole_row(row));

@@ -1,4 +1,5 @@
 // netCDF for Eradiate's MQDiffuseBSDF: one band of isotropic f over two cosines and the difference of azimuths.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 

@@ -1,4 +1,5 @@
 // The adaptive tables of the RGL material database, for the `measured` materials of Mitsuba 3 and pbrt-v4.
+#include <algorithm>
 #include <numbers>
 
 #include "host/error.hpp"
