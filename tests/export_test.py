@@ -66,7 +66,7 @@ def model_angles(to_light, to_viewer):
 
 def reference(material, *pairs, column="brdf"):
     """f by the scalar reference at pairs of theta_i, theta_s, phi."""
-    text = "theta_i_deg,theta_s_deg,phi_deg\n" + "".join(f"{i!r},{s!r},{p!r}\n" for i, s, p in pairs)
+    text = "theta_i_deg,theta_s_deg,phi_deg\n" + "".join(f"{i},{s},{p}\n" for i, s, p in pairs)
     result = run("evaluate", material, "--engine", "reference", stdin=text)
     assert result.returncode == DONE, result.stderr
     return [float(row[column]) for row in csv.DictReader(line for line in result.stdout.splitlines() if not line.startswith("#"))]

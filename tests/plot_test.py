@@ -35,7 +35,7 @@ class Drawing(InFolder):
         return Picture(self.plot(*arguments))
 
     def evaluated(self, material, pairs, column="brdf"):
-        text = "theta_i_deg,theta_s_deg,phi_deg\n" + "".join(f"{i!r},{s!r},{phi!r}\n" for i, s, phi in pairs)
+        text = "theta_i_deg,theta_s_deg,phi_deg\n" + "".join(f"{i},{s},{phi}\n" for i, s, phi in pairs)
         result = run("evaluate", material, stdin=text)
         self.assertEqual(result.returncode, DONE, result.stderr)
         rows = list(csv.DictReader(io.StringIO(result.stdout)))

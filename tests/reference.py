@@ -20,7 +20,7 @@ def rows(text):
 
 def brdf(material, directions, engine="reference"):
     """f in 1/sr at (theta_i, theta_s, phi), degrees, phi 0 forward; band by band where the material has bands."""
-    table = "theta_i_deg,theta_s_deg,phi_deg\n" + "".join(f"{i!r},{s!r},{math.remainder(phi, 360)!r}\n" for i, s, phi in directions)
+    table = "theta_i_deg,theta_s_deg,phi_deg\n" + "".join(f"{i},{s},{math.remainder(phi, 360)}\n" for i, s, phi in directions)
     result = run("evaluate", material, "--engine", engine, stdin=table)
     assert result.returncode == DONE, result.stderr
     return [float(row["brdf"]) for row in rows(result.stdout)]

@@ -10,17 +10,18 @@ import unittest
 import numpy
 
 import wheels
-
-wheels.use("simulators")
-
-import drjit  # noqa: E402
-import mitsuba  # noqa: E402
-
-from program import DONE, VINYL, InFolder, run  # noqa: E402
-from rgl_file import vector  # noqa: E402
-from rgl_test import SHIPPED, SMALL, generate, random_directions, reference  # noqa: E402
+from program import DONE, VINYL, InFolder, run
+from rgl_file import vector
+from rgl_test import SHIPPED, SMALL, generate, random_directions, reference
 
 RGB = "llvm_ad_rgb"
+
+
+def setUpModule():
+    global drjit, mitsuba
+    wheels.use("simulators")  # skips this module's tests where there are none
+    import drjit
+    import mitsuba
 
 
 def load(path, variant=RGB):
