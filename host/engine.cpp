@@ -52,7 +52,8 @@ Engine::Engine(Device device, Precision working, Precision table, std::size_t di
 cl::Program Engine::build(const std::string& options) const {
   cl::Program program(context_, std::string(kernel_source));
   try {
-    program.build({device_.handle}, options.c_str());
+    // Without -w PoCL prints how many vectors are wider than those of the processor, which a user can do nothing about.
+    program.build({device_.handle}, (options + " -w").c_str());
   } catch (const cl::BuildError& error) {
     std::string log;
     for (const auto& [built_for, text] : error.getBuildLog()) log += text;

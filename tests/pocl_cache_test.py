@@ -131,6 +131,11 @@ class PoclCache(InFolder):
         self.assertEqual(self.kernels(), before)
         self.assertEqual([f.name for f in self.cache.glob("brdftab-pocl-*/*")], ["kernels"])
 
+    def test_the_first_start_says_nothing_of_its_compiler(self):
+        pairs = "theta_i_deg,theta_s_deg,phi_deg\n10,20,30\n"
+        result = run("evaluate", VINYL, stdin=pairs, POCL_CACHE_DIR=str(self.cache))
+        self.assertEqual((result.returncode, result.stderr), (DONE, ""))
+
     def test_damaged_files_are_compiled_anew(self):
         self.warm_up()
         names = [f.stem for f in self.kernels()]
