@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <random>
+#include <tuple>
+#include <utility>
 
 #include "host/error.hpp"
 #include "host/surface_vector.hpp"
@@ -13,10 +13,6 @@ namespace {
 
 using Channels = std::vector<std::vector<double>>;
 
-constexpr double degrees_per_radian = 180 / std::numbers::pi;
-// A file may go to 90 degrees; the model stops short of them.
-constexpr double largest_theta = 89.9;
-
 double portion(std::vector<double>& values, double share) {
   if (values.empty()) return 0;
   const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
@@ -24,65 +20,32 @@ double portion(std::vector<double>& values, double share) {
   return *at;
 }
 
-class Draw {
- public:
-  explicit Draw(const ExportedTable& table)
-      : last_i_(std::min(table.largest_theta_i(), largest_theta)), last_s_(std::min(table.largest_theta_s(), largest_theta)) {}
-
-  Directions uniform(std::size_t count) {
-    Directions result;
-    for (std::size_t k = 0; k < count; ++k) result.add(theta(last_i_), theta(last_s_), between(-180, 180));
-    return result;
-  }
-
-  // Half of them about the mirror direction, half about that of the light.
-  Directions near_peaks(std::size_t count) {
-    Directions result;
-    while (result.size() < count) {
-      const double theta_i = theta(std::min(last_i_, last_s_));
-      const double distance = std::pow(10, between(-3, std::log10(30)));
-      const SurfaceVector at = about_specular(theta_i, distance, between(-180, 180));
-      // A grid that ends near the normal has few of them: its rim stands for those beyond.
-      result.add(theta_i, std::min(at.theta(), last_s_), at.phi() + (result.size() % 2 ? 180 : 0));
-    }
-    return result;
-  }
-
- private:
-  double between(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
-  double theta(double last) { return std::acos(between(std::cos(last / degrees_per_radian), 1)) * degrees_per_radian; }
-
-  double last_i_, last_s_;
-  std::mt19937_64 random_{20'080'818};
-};
-
-Channels expected(const ExportedTable& table, const ExportSource& source, const Directions& directions) {
-  Channels f = source.evaluate(directions);
-  if (table.channels() == ExportChannels::rgb) return source.rgb(f);
-  if (table.channels() == ExportChannels::xyz) return source.xyz(f);
-  return f;
+ReadValues read_values(const ExportedTable& table, const ExportSource& source, const Directions& directions) {
+  ReadValues result{directions, table.evaluate(directions), {}};
+  if (directions.size() > 0) result.model = in_channels(table.channels(), source, source.evaluate(directions));
+  if (directions.size() > 0) check_channels(result.read.size(), result.model.size());
+  return result;
 }
 
-ConsumerError compare(const Channels& consumer, const Channels& model, const Directions& directions) {
-  if (consumer.size() != model.size())
-    throw BadInput("the file has {} channels, and its material {}", consumer.size(), model.size());
+ConsumerError compare(const std::vector<const ReadValues*>& kinds) {
   ConsumerError result;
   std::vector<double> errors;
   result.maximum = -1;
-  for (std::size_t c = 0; c < model.size(); ++c)
-    for (std::size_t k = 0; k < directions.size(); ++k) {
-      const double difference = std::abs(consumer[c][k] - model[c][k]) / std::max(model[c][k], error_floor);
-      const double error = std::isnan(difference) ? INFINITY : difference;
-      errors.push_back(error);
-      if (!(error > result.maximum)) continue;
-      result.maximum = error;
-      result.theta_i = directions.theta_i[k];
-      result.theta_s = directions.theta_s[k];
-      result.phi = directions.phi[k];
-      result.channel = c;
-      result.consumer = consumer[c][k];
-      result.model = model[c][k];
-    }
+  for (const ReadValues* kind : kinds)
+    for (std::size_t c = 0; c < kind->model.size(); ++c)
+      for (std::size_t k = 0; k < kind->directions.size(); ++k) {
+        const double model = kind->model[c][k], difference = std::abs(kind->read[c][k] - model) / std::max(model, error_floor);
+        const double error = std::isnan(difference) ? INFINITY : difference;
+        errors.push_back(error);
+        if (!(error > result.maximum)) continue;
+        result.maximum = error;
+        result.theta_i = kind->directions.theta_i[k];
+        result.theta_s = kind->directions.theta_s[k];
+        result.phi = kind->directions.phi[k];
+        result.channel = c;
+        result.consumer = kind->read[c][k];
+        result.model = model;
+      }
   result.values = errors.size();
   result.maximum = std::max(result.maximum, 0.);
   result.median = portion(errors, 0.5);
@@ -108,12 +71,17 @@ std::string text(const ConsumerError& error) {
 
 }  // namespace
 
-ExportErrors export_errors(const ExportedTable& table, const ExportSource& source, std::size_t directions) {
-  Draw draw(table);
-  const Directions uniform = draw.uniform(directions), near_peaks = draw.near_peaks(directions);
+ReadExport read_export(const ExportedTable& table, const ExportSource& source, const ExportDirections& directions) {
+  return {read_values(table, source, directions.uniform), read_values(table, source, directions.near_mirror),
+          read_values(table, source, directions.near_retro)};
+}
+
+ExportErrors export_errors(const ReadExport& read, const ExportSource& source) {
   ExportErrors result;
-  result.uniform = compare(table.evaluate(uniform), expected(table, source, uniform), uniform);
-  result.near_peaks = compare(table.evaluate(near_peaks), expected(table, source, near_peaks), near_peaks);
+  result.uniform = compare({&read.uniform});
+  result.near_peaks = compare({&read.near_mirror, &read.near_retro});
+  const Directions& uniform = read.uniform.directions;
+  if (uniform.size() == 0) return result;
   std::tie(result.reciprocity_median, result.reciprocity_maximum) =
       spread(source.evaluate(uniform), source.evaluate(exchanged(uniform)),
              [](double a, double b) { return std::abs(std::log(a / b)); });

@@ -4,12 +4,24 @@
 
 #include <string>
 
+#include "host/export_directions.hpp"
 #include "host/export_format.hpp"
 
 namespace brdftab {
 
-/// Below this, 1/sr, errors are no longer relative to f: a surface so dark reflects 3e-4.
-inline constexpr double error_floor = 1e-4;
+/// f as a table's consumer reads it and f of the model, [channel][direction], at the same directions.
+struct ReadValues {
+  Directions directions;
+  std::vector<std::vector<double>> read, model;
+};
+
+/// The same at each kind of direction.
+struct ReadExport {
+  ReadValues uniform, near_mirror, near_retro;
+};
+
+/// Throws BadInput where the table's channels are not the source's.
+ReadExport read_export(const ExportedTable& table, const ExportSource& source, const ExportDirections& directions);
 
 /// |f_consumer - f| / max(f, error_floor) over directions and channels.
 struct ConsumerError {
@@ -34,8 +46,10 @@ struct ExportErrors {
   double polarization_median = 0, polarization_maximum = 0;  // |f_s - f_p| / (f_s + f_p)
 };
 
-/// `directions` of each kind, by a fixed seed. Throws BadInput where the file's channels are not the source's.
-ExportErrors export_errors(const ExportedTable& table, const ExportSource& source, std::size_t directions = 10'000);
+ExportErrors export_errors(const ReadExport& read, const ExportSource& source);
+
+/// As many uniform directions as this are drawn, and as many about the peaks, where the user does not say.
+inline constexpr std::size_t default_directions = 10'000;
 
 /// The same in one line, with what the format loses.
 std::string summary(const ExportErrors& errors, const ExportFormat& format, const ExportedTable& table);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "host/export_source.hpp"
+#include "host/export_values.hpp"
 
 namespace brdftab {
 
@@ -32,10 +33,34 @@ class ExportedTable {
   virtual std::string material_text() const { return {}; }
   /// How the consumer interpolates, in words.
   virtual std::string interpolation() const = 0;
-  /// Up to which polar angles the file has samples, degrees.
-  virtual double largest_theta_i() const { return 90; }
-  virtual double largest_theta_s() const { return 90; }
+
+  /// Where the file has samples, degrees; phi is the model's, and a whole turn also where f's evenness makes it one.
+  virtual AngleRange theta_i_range() const { return {0, 90}; }
+  virtual AngleRange theta_s_range() const { return {0, 90}; }
+  virtual AngleRange phi_range() const { return {-180, 180}; }
+  /// Whether it has samples at a pair of directions within these ranges.
+  virtual bool covers(const Directions& directions, std::size_t k) const {
+    static_cast<void>(directions), static_cast<void>(k);
+    return true;
+  }
+
+  /// The file as it should be: with its own nodes or cells, digits and conventions, but f of the source as its values. Every
+  /// value of the file is compared with the one that it should be. Throws BadInput where the channels are not the source's.
+  virtual std::unique_ptr<ExportedTable> rebuilt(const ExportSource& source, ValueErrors& errors) const = 0;
 };
+
+/// [channel][direction] from the source's f, [band][direction].
+std::vector<std::vector<double>> in_channels(ExportChannels channels, const ExportSource& source,
+                                             const std::vector<std::vector<double>>& by_band);
+
+/// Throws BadInput where a file has another number of channels than its material gives.
+void check_channels(std::size_t file, std::size_t material);
+
+/// What a channel is called, for messages: "R", "X", "550 nm"; "f" where it has no name.
+std::string channel_name(ExportChannels channels, const ExportSource& source, std::size_t channel);
+
+/// "theta_i = 30, theta_s = 40, phi = -20 degrees", for messages.
+std::string angles_text(const Directions& directions, std::size_t k);
 
 struct FormatTraits {
   /// As --format takes it.

@@ -58,7 +58,7 @@ std::vector<double> azimuths_away_from_surface(const Grid& grid) {
   return {azimuths.begin(), azimuths.end()};
 }
 
-GridSamples::GridSamples(std::array<std::vector<double>, 4> axes, std::vector<std::vector<double>> values)
+GridSamples::GridSamples(Axes axes, std::vector<std::vector<double>> values, const std::string& source)
     : axes_(std::move(axes)), values_(std::move(values)) {
   std::size_t nodes = 1;
   for (const AxisRow& row : axis_table) {
@@ -68,15 +68,41 @@ GridSamples::GridSamples(std::array<std::vector<double>, 4> axes, std::vector<st
     const bool increases =
         std::adjacent_find(axis.begin(), axis.end(), [](double a, double b) { return !(a < b); }) == axis.end();
     if (axis.empty() || !std::isfinite(axis.front()) || !std::isfinite(axis.back()) || !increases)
-      throw BadInput("the file's {}: its angles must be finite and increase strictly", row.name);
+      throw BadInput("{}: {}: its angles must be finite and increase strictly", source, row.name);
   }
   for (const auto& channel : values_)
-    if (channel.size() != nodes) throw BadInput("the file has {} samples where its axes have {} nodes", channel.size(), nodes);
+    if (channel.size() != nodes) throw BadInput("{}: has {} samples where its axes have {} nodes", source, channel.size(), nodes);
+}
+
+GridSamples GridSamples::with_values(std::vector<std::vector<double>> values) const {
+  GridSamples result = *this;
+  result.values_ = std::move(values);
+  return result;
+}
+
+Directions GridSamples::directions() const {
+  Directions directions;
+  for (const double theta_i : axes_[0])
+    for (const double phi_i : axes_[1])
+      for (const double theta_s : axes_[2])
+        for (const double phi_s : axes_[3]) directions.add(theta_i, theta_s, phi_s - phi_i);
+  return directions;
+}
+
+AngleRange GridSamples::phi_range() const {
+  constexpr double rounding = 1e-6;
+  const auto& phi = axis(AxisKind::phi_s);
+  const double first = phi.front() - axis(AxisKind::phi_i).front(), turn = phi.back() - phi.front(), gap = 360 - turn;
+  double widest = 0;
+  for (std::size_t k = 1; k < phi.size(); ++k) widest = std::max(widest, phi[k] - phi[k - 1]);
+  const bool goes_round = gap < 180 - rounding && gap <= 2 * widest + rounding;
+  const bool is_half = std::abs(turn - 180) < rounding && std::abs(std::remainder(first, 180)) < rounding;
+  return goes_round || is_half ? AngleRange{-180, 180} : AngleRange{first, first + turn};
 }
 
 GridSamples GridSamples::from_rows(const std::vector<std::vector<double>>& columns, const std::string& source) {
   const std::size_t rows = columns.front().size();
-  std::array<std::vector<double>, 4> axes;
+  Axes axes;
   std::size_t nodes = 1;
   for (std::size_t k = 0; k < 4; ++k) {
     axes[k] = columns[k];
@@ -98,7 +124,7 @@ GridSamples GridSamples::from_rows(const std::vector<std::vector<double>>& colum
                      columns[1][row], columns[2][row], columns[3][row]);
     for (std::size_t c = 0; c < values.size(); ++c) values[c][node] = columns[4 + c][row];
   }
-  return {std::move(axes), std::move(values)};
+  return {std::move(axes), std::move(values), source};
 }
 
 std::vector<std::vector<double>> GridSamples::evaluate(const Directions& directions) const {

@@ -72,7 +72,11 @@ void ExportOption::write(const Engine& engine, const ExportFormat& format, const
   PartialFile file(target, force);
   const auto notes = format.write(file.path(), source);
   const auto table = format.read(file.path());
-  const std::string consumer = common.quiet ? "" : summary(export_errors(*table, source), format, *table);
+  std::string consumer;
+  if (!common.quiet) {
+    const ReadExport read = read_export(*table, source, export_directions(*table, default_directions));
+    consumer = summary(export_errors(read, source), format, *table);
+  }
   const auto bytes = std::filesystem::file_size(file.path());
   file.commit();
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;

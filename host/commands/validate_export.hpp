@@ -22,7 +22,8 @@ class ExportValidation {
     std::optional<std::string> device;
     bool json = false;
   };
-  /// Reports the error of the consumer's own interpolation. Throws Error (exit status 1) where its median is above the tolerance.
+  /// Reports the error of the consumer's own interpolation. Throws Error (exit status 1) where it is beyond what the format
+  /// reaches by more than the tolerance.
   ExitStatus run(const ExportFormat& format, const Request& request) const;
 
  private:

@@ -162,22 +162,27 @@ class BirdFormat : public ExportFormat {
            {columns[1].size(), columns[2].size(), columns[3].size(), columns[4].size(), nm.size(), states.size()})
         if (size != columns[0].size())
           throw BadInput("{}: data have arrays of {} and of {} values", file.string(), columns[0].size(), size);
-      std::map<double, std::vector<std::vector<double>>> bands;  // unpolarised, by wavelength
+      using Columns = std::vector<std::vector<double>>;
+      std::map<std::string, std::map<double, Columns>> blocks;  // by polarisation, by wavelength
       for (std::size_t k = 0; k < states.size(); ++k) {
-        if (states[k] != "u") continue;
-        auto& band = bands.try_emplace(nm[k], columns.size()).first->second;
-        for (std::size_t c = 0; c < columns.size(); ++c) band[c].push_back(columns[c][k] - (c == 1 ? incident_azimuth(0) : 0));
+        auto& block = blocks[states[k]].try_emplace(nm[k], columns.size()).first->second;
+        for (std::size_t c = 0; c < columns.size(); ++c) block[c].push_back(columns[c][k] - (c == 1 ? incident_azimuth(0) : 0));
       }
-      if (bands.empty()) throw BadInput("{}: has no samples for unpolarised light", file.string());
-      std::vector<GridSamples> samples;
+      if (!blocks.contains("u")) throw BadInput("{}: has no samples for unpolarised light", file.string());
+      const auto samples = [&](const std::string& state) {
+        std::vector<GridSamples> bands;
+        for (const auto& [wavelength, block] : blocks[state]) bands.push_back(GridSamples::from_rows(block, file.string()));
+        return bands;
+      };
       std::vector<double> wavelengths;
-      for (const auto& [wavelength, band] : bands) {
-        samples.push_back(GridSamples::from_rows(band, file.string()));
+      for (const auto& [wavelength, block] : blocks["u"])
         if (wavelength > 0) wavelengths.push_back(wavelength);
-      }
       const auto section = json.at("metadata").value("adhoc_section", nlohmann::json::object());
-      return std::make_unique<GridTable>(std::move(samples), std::move(wavelengths), section.value("material", ""),
-                                         "linear interpolation between samples");
+      auto table = std::make_unique<GridTable>(samples("u"), std::move(wavelengths), section.value("material", ""),
+                                               "linear interpolation between samples");
+      for (const auto& [state, polarization] : {std::pair{"s", Polarization::s}, std::pair{"p", Polarization::p}})
+        if (blocks.contains(state)) table->add_polarization(polarization, samples(state));
+      return table;
     });
   }
 

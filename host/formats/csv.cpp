@@ -1,6 +1,8 @@
 // A long table of comma-separated values, for whatever reads text: a row for each pair of directions.
 #include "host/csv.hpp"
 
+#include <algorithm>
+#include <array>
 #include <fstream>
 #include <iterator>
 
@@ -18,6 +20,20 @@ namespace {
 
 constexpr std::string_view first_line = "# A row for each pair of directions; f = brdf in 1/sr";
 constexpr std::string_view columns = "theta_i_deg,phi_i_deg,theta_s_deg,phi_s_deg,brdf_s,brdf_p,brdf";
+
+// The columns read, angles first; the last two may be absent.
+constexpr std::array<std::string_view, 7> names{"theta_i_deg", "phi_i_deg", "theta_s_deg", "phi_s_deg",
+                                                "brdf",        "brdf_s",    "brdf_p"};
+constexpr std::size_t angles = 4, needed = 5;
+
+// Significant digits of a number as it is written.
+int digits_of(std::string_view number) {
+  const std::string_view mantissa = number.substr(0, number.find_first_of("eE"));
+  const auto first = mantissa.find_first_of("123456789");
+  if (first == mantissa.npos) return 0;
+  return static_cast<int>(std::count_if(mantissa.begin() + static_cast<std::ptrdiff_t>(first), mantissa.end(),
+                                        [](char c) { return c >= '0' && c <= '9'; }));
+}
 
 class CsvFormat : public ExportFormat {
  public:
@@ -73,35 +89,57 @@ class CsvFormat : public ExportFormat {
     for (std::string line; in.peek() == '#' && std::getline(in, line);) description.read(std::string_view(line).substr(1));
     Csv csv(in, file.string(), columns);
     std::vector<std::size_t> wanted;
-    for (const auto name : {"theta_i_deg", "phi_i_deg", "theta_s_deg", "phi_s_deg", "brdf"}) {
+    for (const auto name : names) {
       const auto column = csv.column(name);
-      if (!column) throw BadInput("{}: has no column {}", csv.where(), name);
-      wanted.push_back(*column);
+      if (!column && wanted.size() < needed) throw BadInput("{}: has no column {}", csv.where(), name);
+      if (column) wanted.push_back(*column);
     }
+    const bool is_polarized = wanted.size() == names.size();
+    if (!is_polarized) wanted.resize(needed);
     const auto wavelength = csv.column("wavelength_nm");
     std::vector<double> wavelengths;
     std::vector<std::vector<std::vector<double>>> bands;  // [band][column][row]
     std::string current;
+    int digits = 0;
     while (const auto* cells = csv.next()) {
       const std::string_view name = wavelength ? (*cells)[*wavelength] : "";
       if (bands.empty() || name != current) {
         current = name;
         bands.emplace_back(wanted.size());
+        if (wavelength) wavelengths.push_back(number(name, csv));
       }
       for (std::size_t k = 0; k < wanted.size(); ++k) {
-        const auto value = parse_number((*cells)[wanted[k]]);
-        if (!value) throw BadInput("{}: {}: must be a number", csv.where(), excerpt((*cells)[wanted[k]]));
-        bands.back()[k].push_back(*value);
+        const std::string_view cell = (*cells)[wanted[k]];
+        bands.back()[k].push_back(number(cell, csv));
+        if (k >= angles) digits = std::max(digits, digits_of(cell));
       }
     }
     if (bands.empty()) throw BadInput("{}: has no rows", csv.where());
-    std::vector<GridSamples> samples;
-    for (const auto& band : bands) samples.push_back(GridSamples::from_rows(band, file.string()));
-    return std::make_unique<GridTable>(std::move(samples), std::move(description.wavelengths_nm),
-                                       std::move(description.material_text));
+    const auto samples = [&](std::size_t column) {
+      std::vector<GridSamples> result;
+      for (const auto& band : bands) {
+        std::vector<std::vector<double>> rows(band.begin(), band.begin() + angles);
+        rows.push_back(band[column]);
+        result.push_back(GridSamples::from_rows(rows, file.string()));
+      }
+      return result;
+    };
+    auto table = std::make_unique<GridTable>(samples(angles), std::move(wavelengths), std::move(description.material_text));
+    table->set_digits(digits);
+    if (is_polarized) {
+      table->add_polarization(Polarization::s, samples(angles + 1));
+      table->add_polarization(Polarization::p, samples(angles + 2));
+    }
+    return table;
   }
 
  private:
+  static double number(std::string_view cell, const Csv& csv) {
+    const auto value = parse_number(cell);
+    if (!value) throw BadInput("{}: {}: must be a number", csv.where(), excerpt(cell));
+    return *value;
+  }
+
   int digits_ = 9;
 };
 

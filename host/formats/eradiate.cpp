@@ -25,6 +25,16 @@ constexpr std::string_view grazing_text =
 // Increasing, as the nodes of an axis are to be.
 double place(double theta) { return 1 - std::cos(theta / degrees); }
 
+// Of the nodes of an axis of places. That of a cosine of 0 stands at half the cosine of the next node.
+std::vector<double> polar_angles(const std::vector<double>& places) {
+  std::vector<double> theta;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const double cosine = 1 - places[k];
+    theta.push_back(std::acos(cosine > 0 || k == 0 ? cosine : (1 - places[k - 1]) / 2) * degrees);
+  }
+  return theta;
+}
+
 class EradiateTable : public ExportedTable {
  public:
   EradiateTable(GridSamples samples, std::string material_text, std::vector<double> wavelengths_nm)
@@ -39,8 +49,30 @@ class EradiateTable : public ExportedTable {
   std::vector<double> wavelengths_nm() const override { return wavelengths_nm_; }
   std::string material_text() const override { return material_text_; }
   std::string interpolation() const override { return "linear interpolation in both cosines and in the azimuth"; }
+  AngleRange theta_i_range() const override { return range(AxisKind::theta_i); }
+  AngleRange theta_s_range() const override { return range(AxisKind::theta_s); }
+  AngleRange phi_range() const override { return samples_.phi_range(); }
+
+  std::unique_ptr<ExportedTable> rebuilt(const ExportSource& source, ValueErrors& errors) const override {
+    check_channels(1, source.bands());
+    const auto theta_i = polar_angles(samples_.axis(AxisKind::theta_i)), theta_s = polar_angles(samples_.axis(AxisKind::theta_s));
+    Directions nodes;
+    for (const double i : theta_i)
+      for (const double s : theta_s)
+        for (const double phi : samples_.axis(AxisKind::phi_s)) nodes.add(i, s, phi);
+    auto f = source.evaluate(nodes);
+    for (std::size_t k = 0; k < nodes.size(); ++k)
+      errors.compare(samples_.values().front()[k], f.front()[k],
+                     [&] { return fmt::format("{} at {}", channel_name(channels(), source, 0), angles_text(nodes, k)); });
+    return std::make_unique<EradiateTable>(samples_.with_values(std::move(f)), material_text_, wavelengths_nm_);
+  }
 
  private:
+  AngleRange range(AxisKind kind) const {
+    const auto [first, last] = samples_.range(kind);
+    return {std::acos(1 - first) * degrees, std::acos(1 - last) * degrees};
+  }
+
   GridSamples samples_;  // over 1 - cos theta in place of polar angles
   std::string material_text_;
   std::vector<double> wavelengths_nm_;
@@ -138,7 +170,8 @@ class EradiateFormat : public ExportFormat {
       hdf5_check(H5Aread(attribute, H5T_NATIVE_DOUBLE, &wavelengths.emplace_back()), "wavelength_nm");
     }
     return std::make_unique<EradiateTable>(
-        GridSamples({places(cosines_i), {0}, places(cosines_o), std::move(azimuths)}, {std::move(samples)}), text, wavelengths);
+        GridSamples({places(cosines_i), {0}, places(cosines_o), std::move(azimuths)}, {std::move(samples)}, path.string()), text,
+        wavelengths);
   }
 
  private:

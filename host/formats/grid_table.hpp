@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "host/export_format.hpp"
@@ -19,23 +20,33 @@ class GridTable : public ExportedTable {
         material_text_(std::move(material_text)),
         interpolation_(std::move(interpolation)) {}
 
-  std::vector<std::vector<double>> evaluate(const Directions& directions) const override {
-    std::vector<std::vector<double>> f;
-    for (const GridSamples& samples : samples_)
-      for (auto& channel : samples.evaluate(directions)) f.push_back(std::move(channel));
-    return f;
+  /// The same bands by one polarisation, which the file holds beside; its consumer may take them as well.
+  void add_polarization(Polarization polarization, std::vector<GridSamples> samples) {
+    polarized_.emplace_back(polarization, std::move(samples));
   }
+  /// Significant digits of the file's values, where they may be few.
+  void set_digits(int digits) { digits_ = digits; }
+
+  std::vector<std::vector<double>> evaluate(const Directions& directions) const override;
+  std::unique_ptr<ExportedTable> rebuilt(const ExportSource& source, ValueErrors& errors) const override;
+
   std::vector<double> wavelengths_nm() const override { return wavelengths_nm_; }
   std::string material_text() const override { return material_text_; }
   std::string interpolation() const override { return interpolation_; }
-  double largest_theta_i() const override { return samples_.front().axis(AxisKind::theta_i).back(); }
-  double largest_theta_s() const override { return samples_.front().axis(AxisKind::theta_s).back(); }
+  AngleRange theta_i_range() const override { return samples_.front().range(AxisKind::theta_i); }
+  AngleRange theta_s_range() const override { return samples_.front().range(AxisKind::theta_s); }
+  AngleRange phi_range() const override { return samples_.front().phi_range(); }
 
  private:
+  std::vector<GridSamples> rebuilt(const std::vector<GridSamples>& held, Polarization polarization, const ExportSource& source,
+                                   ValueErrors& errors) const;
+
   std::vector<GridSamples> samples_;
+  std::vector<std::pair<Polarization, std::vector<GridSamples>>> polarized_;
   std::vector<double> wavelengths_nm_;
   std::string material_text_;
   std::string interpolation_;
+  int digits_ = 17;
 };
 
 }  // namespace brdftab

@@ -47,6 +47,52 @@ HalfDifference half_difference(const SurfaceVector& to_light, const SurfaceVecto
   return {h.theta(), d.theta(), d.phi()};
 }
 
+struct MerlValues {
+  MerlFile file;
+  std::size_t below_zero = 0;  // colours outside sRGB, written as 0
+};
+
+MerlValues merl_values(const ExportSource& source, Registration registration) {
+  const bool center = registration == Registration::center;
+  // Half a turn of phi_d, within which the first and the last are light and viewer exchanged, by the mirror plane.
+  const int phis = center ? MerlFile::cells_phi : MerlFile::cells_phi + 1;
+  const double offset = center ? 0.5 : 0;
+  Directions directions;
+  std::vector<std::size_t> row;  // of each half turn among the valid ones
+  constexpr std::size_t none = static_cast<std::size_t>(-1);
+  std::vector<SurfaceVector> differences;
+  for (int d = 0; d < MerlFile::cells_d; ++d)
+    for (int phi = 0; phi < phis; ++phi) differences.push_back(SurfaceVector::from_degrees(d + offset, phi + offset));
+  for (int h = 0; h < MerlFile::cells_h; ++h) {
+    const SurfaceVector half = SurfaceVector::from_degrees(theta_h(h, registration), 0);
+    for (const SurfaceVector& difference : differences) {
+      const auto [light, viewer] = vectors(half, difference);
+      const bool valid = std::min(light.z, viewer.z) > least_cosine;
+      row.push_back(valid ? directions.size() : none);
+      if (valid) add(directions, light, viewer);
+    }
+  }
+  const auto rgb = source.rgb(source.evaluate(directions));
+  MerlValues result;
+  for (int c = 0; c < 3; ++c) {
+    const auto& f = rgb[static_cast<std::size_t>(c)];
+    auto half_turn = row.begin();
+    for (int h = 0; h < MerlFile::cells_h; ++h)
+      for (int d = 0; d < MerlFile::cells_d; ++d, half_turn += phis)
+        for (int phi = 0; phi < MerlFile::cells_phi; ++phi) {
+          const std::size_t here = half_turn[phi], exchanged = half_turn[phis - 1 - phi];
+          double& value = result.file.values[MerlFile::index(c, h, d, phi)];
+          value = invalid;
+          if (here == none) continue;
+          // Readers take phi_d and phi_d + 180 for the same: the mean of both directions of light.
+          const double mean = 0.5 * (f[here] + f[exchanged]);
+          result.below_zero += mean < 0;
+          value = std::max(mean, 0.) / MerlFile::scale(c);
+        }
+  }
+  return result;
+}
+
 class MerlTable : public ExportedTable {
  public:
   MerlTable(MerlFile file, Registration registration) : file_(std::move(file)), registration_(registration) {}
@@ -66,6 +112,22 @@ class MerlTable : public ExportedTable {
             MerlFile::scale(c) * (registration_ == Registration::center ? cell(c, at) : between_nodes(c, at));
     }
     return f;
+  }
+
+  std::unique_ptr<ExportedTable> rebuilt(const ExportSource& source, ValueErrors& errors) const override {
+    MerlFile right = merl_values(source, registration_).file;
+    for (int c = 0; c < 3; ++c)
+      for (int h = 0; h < MerlFile::cells_h; ++h)
+        for (int d = 0; d < MerlFile::cells_d; ++d)
+          for (int phi = 0; phi < MerlFile::cells_phi; ++phi) {
+            const std::size_t at = MerlFile::index(c, h, d, phi);
+            // Readers take what is below 0, a direction below the horizon, for 0.
+            const auto f = [&](const MerlFile& file) { return MerlFile::scale(c) * std::max(file.values[at], 0.); };
+            errors.compare(f(file_), f(right), [&] {
+              return fmt::format("{} in the cell {}, {}, {} of theta_h, theta_d, phi_d", "RGB"[c], h, d, phi);
+            });
+          }
+    return std::make_unique<MerlTable>(std::move(right), registration_);
   }
 
  private:
@@ -117,44 +179,7 @@ class MerlFormat : public ExportFormat {
   }
 
   std::vector<std::string> write(const std::filesystem::path& file, const ExportSource& source) const override {
-    const bool center = registration() == Registration::center;
-    // Half a turn of phi_d, within which the first and the last are light and viewer exchanged, by the mirror plane.
-    const int phis = center ? MerlFile::cells_phi : MerlFile::cells_phi + 1;
-    const double offset = center ? 0.5 : 0;
-    Directions directions;
-    std::vector<std::size_t> row;  // of each half turn among the valid ones
-    constexpr std::size_t none = static_cast<std::size_t>(-1);
-    std::vector<SurfaceVector> differences;
-    for (int d = 0; d < MerlFile::cells_d; ++d)
-      for (int phi = 0; phi < phis; ++phi) differences.push_back(SurfaceVector::from_degrees(d + offset, phi + offset));
-    for (int h = 0; h < MerlFile::cells_h; ++h) {
-      const SurfaceVector half = SurfaceVector::from_degrees(theta_h(h, registration()), 0);
-      for (const SurfaceVector& difference : differences) {
-        const auto [light, viewer] = vectors(half, difference);
-        const bool valid = std::min(light.z, viewer.z) > least_cosine;
-        row.push_back(valid ? directions.size() : none);
-        if (valid) add(directions, light, viewer);
-      }
-    }
-    const auto rgb = source.rgb(source.evaluate(directions));
-    MerlFile merl;
-    std::size_t below_zero = 0;
-    for (int c = 0; c < 3; ++c) {
-      const auto& f = rgb[static_cast<std::size_t>(c)];
-      auto half_turn = row.begin();
-      for (int h = 0; h < MerlFile::cells_h; ++h)
-        for (int d = 0; d < MerlFile::cells_d; ++d, half_turn += phis)
-          for (int phi = 0; phi < MerlFile::cells_phi; ++phi) {
-            const std::size_t here = half_turn[phi], exchanged = half_turn[phis - 1 - phi];
-            double& value = merl.values[MerlFile::index(c, h, d, phi)];
-            value = invalid;
-            if (here == none) continue;
-            // Readers take phi_d and phi_d + 180 for the same: the mean of both directions of light.
-            const double mean = 0.5 * (f[here] + f[exchanged]);
-            below_zero += mean < 0;
-            value = std::max(mean, 0.) / MerlFile::scale(c);
-          }
-    }
+    const auto [merl, below_zero] = merl_values(source, registration());
     write_whole(file, merl.bytes());
     if (below_zero == 0) return {};
     return {fmt::format("{} values of {} lie outside the colours of linear sRGB, below 0: written as 0", below_zero,

@@ -1,5 +1,6 @@
 // BSDF of Radiance in XML, as a matrix over Klems patches or as a tensor tree of rank 3.
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <numbers>
 
@@ -7,6 +8,7 @@
 #include "host/export_text.hpp"
 #include "host/formats/formats.hpp"
 #include "host/formats/klems_basis.hpp"
+#include "host/formats/radiance_table.hpp"
 #include "host/formats/tensor_tree.hpp"
 #include "host/numbers.hpp"
 #include "host/table_content.hpp"
@@ -17,70 +19,8 @@ namespace brdftab {
 namespace {
 
 constexpr std::string_view klems_name = "LBNL/Klems Full", tree_name = "TensorTree3";
-// The components that Radiance looks for, luminance first.
-constexpr std::array<std::string_view, 3> wavelengths{"Visible", "CIE-X", "CIE-Z"};
 
 using Channels = std::vector<std::vector<double>>;
-
-// Luminance alone, or with X and Z.
-Channels colours(const ExportSource& source, const Channels& by_band) {
-  if (by_band.size() == 1) return by_band;
-  auto xyz = source.xyz(by_band);
-  std::swap(xyz[0], xyz[1]);
-  return xyz;
-}
-
-class RadianceTable : public ExportedTable {
- public:
-  explicit RadianceTable(Description description, std::size_t channels)
-      : description_(std::move(description)), colour_(channels == 3) {}
-
-  ExportChannels channels() const override { return colour_ ? ExportChannels::xyz : ExportChannels::bands; }
-  Illuminant illuminant() const override { return description_.illuminant; }
-  std::vector<double> wavelengths_nm() const override { return description_.wavelengths_nm; }
-  std::string material_text() const override { return description_.material_text; }
-
- private:
-  Description description_;
-  bool colour_;
-};
-
-class KlemsTable : public RadianceTable {
- public:
-  KlemsTable(Description description, Channels matrices)
-      : RadianceTable(std::move(description), matrices.size()), matrices_(std::move(matrices)) {}
-
-  Channels evaluate(const Directions& directions) const override {
-    Channels f;
-    for (const auto& matrix : matrices_) {
-      auto& values = f.emplace_back();
-      for (std::size_t k = 0; k < directions.size(); ++k)
-        values.push_back(matrix[klems_patch(directions.theta_s[k], directions.phi[k]) * klems_patches +
-                                klems_patch(directions.theta_i[k], 0)]);
-    }
-    if (f.size() == 3) std::swap(f[0], f[1]);
-    return f;
-  }
-  std::string interpolation() const override { return "the nearest pair of Klems patches"; }
-
- private:
-  Channels matrices_;
-};
-
-class TreeTable : public RadianceTable {
- public:
-  TreeTable(Description description, TensorTree tree) : RadianceTable(std::move(description), 1), tree_(std::move(tree)) {}
-
-  Channels evaluate(const Directions& directions) const override {
-    Channels f(1);
-    for (std::size_t k = 0; k < directions.size(); ++k) f[0].push_back(tree_.at(0, tree_point(directions, k)));
-    return f;
-  }
-  std::string interpolation() const override { return "the nearest cell of the tree"; }
-
- private:
-  TensorTree tree_;
-};
 
 std::string angle_basis() {
   std::string text = fmt::format("<AngleBasis>\n<AngleBasisName>{}</AngleBasisName>\n", klems_name);
@@ -99,31 +39,40 @@ std::string matrix_text(const std::vector<double>& matrix) {
   return fmt::to_string(text);
 }
 
-Channels read_matrices(const XmlText& xml) {
-  Channels matrices;
-  for (const XmlText& data : xml.elements("WavelengthData")) {
-    const auto wavelength = data.text("Wavelength");
-    if (std::find(wavelengths.begin(), wavelengths.end(), wavelength) == wavelengths.end()) continue;
-    for (const auto name : {"ColumnAngleBasis", "RowAngleBasis"})
-      if (data.text(name) != klems_name) data.refuse(name, fmt::format("{}; only {} is read", data.text(name), klems_name));
-    auto& matrix = matrices.emplace_back();
-    std::string_view rest = data.text("ScatteringData");
-    while (!(rest = trimmed(rest)).empty()) {
-      const auto end = std::min(rest.find_first_of(" \t\r\n,"), rest.size());
-      const auto value = parse_number(rest.substr(0, end));
-      if (!value) data.refuse("ScatteringData", fmt::format("{}: not a number", excerpt(rest.substr(0, end))));
-      matrix.push_back(std::max(*value, 0.));
-      rest.remove_prefix(std::min(end + 1, rest.size()));
-    }
-    if (matrix.size() != klems_patches * klems_patches)
-      data.refuse("ScatteringData", fmt::format("{} values; {} are needed", matrix.size(), klems_patches * klems_patches));
+std::vector<double> read_matrix(const XmlText& data) {
+  for (const auto name : {"ColumnAngleBasis", "RowAngleBasis"})
+    if (data.text(name) != klems_name) data.refuse(name, fmt::format("{}; only {} is read", data.text(name), klems_name));
+  std::vector<double> matrix;
+  std::string_view rest = data.text("ScatteringData");
+  while (!(rest = trimmed(rest)).empty()) {
+    const auto end = std::min(rest.find_first_of(" \t\r\n,"), rest.size());
+    const auto value = parse_number(rest.substr(0, end));
+    if (!value) data.refuse("ScatteringData", fmt::format("{}: not a number", excerpt(rest.substr(0, end))));
+    matrix.push_back(std::max(*value, 0.));
+    rest.remove_prefix(std::min(end + 1, rest.size()));
   }
+  if (matrix.size() != klems_patches * klems_patches)
+    data.refuse("ScatteringData", fmt::format("{} values; {} are needed", matrix.size(), klems_patches * klems_patches));
+  return matrix;
+}
+
+// In the order of `radiance_wavelengths`, however the file has them.
+Channels read_matrices(const XmlText& xml) {
+  Channels matrices(radiance_wavelengths.size());
+  for (const XmlText& data : xml.elements("WavelengthData")) {
+    const auto wavelength = std::find(radiance_wavelengths.begin(), radiance_wavelengths.end(), data.text("Wavelength"));
+    if (wavelength == radiance_wavelengths.end()) continue;
+    auto& matrix = matrices[static_cast<std::size_t>(wavelength - radiance_wavelengths.begin())];
+    if (!matrix.empty()) data.refuse("Wavelength", fmt::format("{} is there twice", *wavelength));
+    matrix = read_matrix(data);
+  }
+  std::erase_if(matrices, [](const auto& matrix) { return matrix.empty(); });
   return matrices;
 }
 
 TensorTree read_tree(const XmlText& xml) {
   for (const XmlText& data : xml.elements("WavelengthData")) {
-    if (data.text("Wavelength") != wavelengths.front()) {
+    if (data.text("Wavelength") != radiance_wavelengths.front()) {
       data.refuse("Wavelength", fmt::format("{}; trees are read of luminance alone", data.text("Wavelength")));
     }
     try {
@@ -175,7 +124,7 @@ class RadianceFormat : public ExportFormat {
     if (klems) {
       definition = fmt::format("<IncidentDataStructure>Columns</IncidentDataStructure>\n{}", angle_basis());
       const auto value = values_ == "average" ? PatchValue::average : PatchValue::centre;
-      for (const auto& matrix : colours(source, klems_matrix(source, value))) data.push_back(matrix_text(matrix));
+      for (const auto& matrix : radiance_colours(source, klems_matrix(source, value))) data.push_back(matrix_text(matrix));
     } else {
       definition = fmt::format("<IncidentDataStructure>{}</IncidentDataStructure>\n", tree_name);
       const TensorTree tree = grown(source);
@@ -210,9 +159,8 @@ class RadianceFormat : public ExportFormat {
     Description description;
     for (const std::string& line : xml.comment_lines()) description.read(line);
     const auto structure = xml.text("IncidentDataStructure");
-    if (structure == "Columns")
-      return std::make_unique<KlemsTable>(std::move(description), one_or_three(xml, read_matrices(xml)));
-    if (structure == tree_name) return std::make_unique<TreeTable>(std::move(description), read_tree(xml));
+    if (structure == "Columns") return klems_table(std::move(description), one_or_three(xml, read_matrices(xml)));
+    if (structure == tree_name) return tree_table(std::move(description), read_tree(xml));
     xml.refuse("IncidentDataStructure", fmt::format("{}; Columns and {} are read", structure, tree_name));
   }
 
@@ -253,7 +201,7 @@ class RadianceFormat : public ExportFormat {
         "<SourceSpectrum>{}</SourceSpectrum>\n<DetectorSpectrum>{}</DetectorSpectrum>\n<WavelengthDataBlock>\n"
         "<WavelengthDataDirection>Reflection Back</WavelengthDataDirection>\n{}<ScatteringDataType>BRDF</ScatteringDataType>\n"
         "<ScatteringData>\n{}</ScatteringData>\n</WavelengthDataBlock>\n</WavelengthData>\n",
-        wavelengths[channel], colour ? fmt::format("CIE Illuminant {}", name_of(source.illuminant())) : "None",
+        radiance_wavelengths[channel], colour ? fmt::format("CIE Illuminant {}", name_of(source.illuminant())) : "None",
         colour ? "CIE 1931 2 degree" : "None", basis, data[channel]);
   }
 

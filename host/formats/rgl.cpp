@@ -46,7 +46,30 @@ class RglTable : public ExportedTable {
   std::string interpolation() const override {
     return "interpolation linear in theta_i and wavelength, bilinear over half vectors warped by the density in the file";
   }
-  double largest_theta_s() const override { return content_.theta_i.back() / radians; }
+  // The file's theta_i is the viewer's.
+  AngleRange theta_s_range() const override { return {content_.theta_i.front() / radians, content_.theta_i.back() / radians}; }
+
+  std::unique_ptr<ExportedTable> rebuilt(const ExportSource& source, ValueErrors& errors) const override {
+    RglDesign right = resampled_rgl(source, content_);
+    const std::size_t n = content_.samples, square = n * n;
+    const auto place = [&](std::size_t i, std::size_t k) {
+      return fmt::format("theta_i = {:.6g} degrees, node {}, {}", content_.theta_i[i] / radians, k / n, k % n);
+    };
+    for (std::size_t i = 0; i < content_.theta_i.size(); ++i)
+      for (std::size_t k = 0; k < square; ++k) {
+        const std::size_t at = i * square + k;
+        errors.compare(content_.luminance[at], right.content.luminance[at],
+                       [&] { return fmt::format("luminance at {}", place(i, k)); });
+        // As f where it has a part in it.
+        const double scale = right.scale[at] > 0 ? right.scale[at] : 1;
+        for (std::size_t c = 0; c < content_.channels; ++c) {
+          const std::size_t value = (i * content_.channels + c) * square + k;
+          errors.compare(content_.spectra[value] / scale, right.content.spectra[value] / scale,
+                         [&] { return fmt::format("f in {} at {}", channel_name(channels(), source, c), place(i, k)); });
+        }
+      }
+    return std::make_unique<RglTable>(std::move(right.content), description_);
+  }
 
  private:
   RglContent content_;

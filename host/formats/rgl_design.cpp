@@ -6,7 +6,9 @@
 #include <functional>
 #include <numbers>
 #include <thread>
+#include <utility>
 
+#include "host/export_format.hpp"
 #include "host/formats/rgl_ndf.hpp"
 
 namespace brdftab {
@@ -111,6 +113,16 @@ class Designer {
     content_.channels = rgb_ ? 3 : content_.wavelengths_nm.size();
   }
 
+  Designer(const ExportSource& source, RglContent layout) : source_(source), rgb_(layout.wavelengths_nm.empty()) {
+    if (!rgb_) check_channels(layout.channels, source.bands());
+    content_ = std::move(layout);
+  }
+
+  RglDesign resampled() {
+    sample();
+    return std::move(result_);
+  }
+
   RglDesign design() {
     const auto density = half_vector_density(source_, ndf_nodes);
     content_.ndf = two_rows(density);
@@ -205,6 +217,7 @@ class Designer {
     const std::size_t n = content_.samples;
     content_.luminance.resize(angles() * n * n);
     content_.spectra.resize(angles() * content_.channels * n * n);
+    result_.scale.resize(angles() * n * n);
     const AdaptiveWarp warp = content_.vndf_warp();
     const auto pairs_of = [&](std::size_t i) {
       MirroredPairs pairs(viewer(i));
@@ -247,6 +260,7 @@ class Designer {
     for (std::size_t k = 0; k < square; ++k) {
       const std::size_t pair = pair_of(k);
       const double scale = std::max(pairs.light_z[pair], 0.0) * 4 * area / ndf.at(0, pairs.place[pair]);
+      result_.scale[i * square + k] = scale;
       for (std::size_t c = 0; c < by_channel.size(); ++c) {
         if (by_channel[c][pair] < 0) ++negative_colours_;
         content_.spectra[(i * by_channel.size() + c) * square + k] =
@@ -267,5 +281,7 @@ class Designer {
 RglDesign design_rgl(const ExportSource& source, const RglResolution& resolution, RglChannels channels) {
   return Designer(source, resolution, channels).design();
 }
+
+RglDesign resampled_rgl(const ExportSource& source, RglContent layout) { return Designer(source, std::move(layout)).resampled(); }
 
 }  // namespace brdftab

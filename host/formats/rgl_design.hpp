@@ -26,9 +26,14 @@ enum class RglChannels { rgb, spectral };
 struct RglDesign {
   RglContent content;
   std::size_t negative_colours = 0;  // samples of a colour outside sRGB, written as 0
+  std::vector<double> scale;         // of f in `spectra`, [theta_i][s.y][s.x]; 0 where the light is below the horizon
 };
 
 /// A material without bands is grey: three equal channels, or a wavelength that stands for all. Light below the horizon is 0.
 RglDesign design_rgl(const ExportSource& source, const RglResolution& resolution, RglChannels channels);
+
+/// A layout with `luminance` and `spectra` of the source in place of its own: its nodes lie where its own densities put them.
+/// Throws BadInput where its channels are not the source's.
+RglDesign resampled_rgl(const ExportSource& source, RglContent layout);
 
 }  // namespace brdftab

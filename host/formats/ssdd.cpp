@@ -24,18 +24,6 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little);
 
-// The file's azimuths are those of vectors away from the surface.
-class SsddTable : public GridTable {
- public:
-  using GridTable::GridTable;
-
-  std::vector<std::vector<double>> evaluate(const Directions& directions) const override {
-    Directions turned = directions;
-    for (double& phi : turned.phi) phi = incident_azimuth(phi);
-    return GridTable::evaluate(turned);
-  }
-};
-
 class SsddFormat : public ExportFormat {
  public:
   SsddFormat()
@@ -163,8 +151,12 @@ class SsddFormat : public ExportFormat {
           for (std::size_t c = 0; c < channels; ++c)
             values[c][(i * theta_s.size() + s) * phi.size() + q] =
                 samples[((q * theta_s.size() + s) * theta_i.size() + i) * channels + c];
-    return std::make_unique<SsddTable>(std::vector{GridSamples({theta_i, {0}, theta_s, phi}, std::move(values))}, wavelengths,
-                                       std::move(description.material_text), "linear interpolation between nodes, as libbsdf");
+    // The file's azimuths are those of vectors away from the surface.
+    std::vector<double> model;
+    for (const double azimuth : phi) model.push_back(model_phi(0, azimuth));
+    GridSamples table({theta_i, {0}, theta_s, std::move(model)}, std::move(values), file.string());
+    return std::make_unique<GridTable>(std::vector{std::move(table)}, wavelengths, std::move(description.material_text),
+                                       "linear interpolation between nodes, as libbsdf");
   }
 
  private:

@@ -135,6 +135,28 @@ std::size_t TensorTree::leaves() const {
   return static_cast<std::size_t>(std::count_if(first_child_.begin(), first_child_.end(), [](auto first) { return first < 0; }));
 }
 
+std::array<TreePoint, 9> TreeCell::centres() const {
+  std::array<TreePoint, 9> result;
+  for (std::size_t k = 0; k < eighths; ++k) result[k] = moved(corner_of_eighth(corner, size, k), size / 4);
+  result[eighths] = moved(corner, size / 2);
+  return result;
+}
+
+void TensorTree::collect(const TreeCell& cell, std::vector<TreeCell>& cells) const {
+  if (is_leaf(cell.node)) {
+    cells.push_back(cell);
+    return;
+  }
+  for (std::size_t k = 0; k < eighths; ++k)
+    collect({child(cell.node, k), corner_of_eighth(cell.corner, cell.size, k), cell.size / 2}, cells);
+}
+
+std::vector<TreeCell> TensorTree::cells() const {
+  std::vector<TreeCell> cells;
+  collect({0, {0, 0, 0}, 1}, cells);
+  return cells;
+}
+
 double TensorTree::at(std::size_t channel, TreePoint point) const {
   std::size_t node = 0;
   while (!is_leaf(node)) {

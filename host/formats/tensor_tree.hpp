@@ -33,6 +33,16 @@ struct TreeRefinement {
   bool average;
 };
 
+/// A cube that is not cut.
+struct TreeCell {
+  std::size_t node;
+  TreePoint corner;  // the one nearest to the origin
+  double size;
+
+  /// The centres of its eighths, and its own last.
+  std::array<TreePoint, 9> centres() const;
+};
+
 class TensorTree {
  public:
   /// Values at points, [channel][point]; the first channel decides where cells are cut.
@@ -51,6 +61,11 @@ class TensorTree {
   std::size_t leaves() const;
   double at(std::size_t channel, TreePoint point) const;
 
+  /// All of them, in the order of the text.
+  std::vector<TreeCell> cells() const;
+  float value(std::size_t channel, std::size_t node) const { return values_[channel][node]; }
+  void set_value(std::size_t channel, std::size_t node, float value) { values_[channel][node] = value; }
+
  private:
   friend class TreeParser;
 
@@ -60,6 +75,7 @@ class TensorTree {
   /// Makes `to` the image of `from` with the last coordinate reversed.
   void mirror(std::size_t from, std::size_t to);
   void print(std::size_t channel, std::size_t node, std::string& out) const;
+  void collect(const TreeCell& cell, std::vector<TreeCell>& cells) const;
 
   // By node; the eight children of a node that is cut lie together. Bit d of a child's number: the upper half in dimension d.
   std::vector<std::int32_t> first_child_{-1};

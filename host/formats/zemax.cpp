@@ -51,9 +51,51 @@ class ZemaxTable : public ExportedTable {
   std::vector<double> wavelengths_nm() const override { return description_.wavelengths_nm; }
   std::string material_text() const override { return description_.material_text; }
   std::string interpolation() const override { return "linear interpolation about the specular direction, as libbsdf"; }
-  double largest_theta_i() const override { return file_.incidence.back(); }
+  AngleRange theta_i_range() const override { return samples_.range(AxisKind::theta_i); }
+  bool covers(const Directions& directions, std::size_t k) const override {
+    const auto [radial, azimuth] = specular_angles(directions.theta_i[k], to_viewer(directions, k));
+    return radial >= file_.radial.front() && radial <= file_.radial.back();
+  }
+
+  std::unique_ptr<ExportedTable> rebuilt(const ExportSource& source, ValueErrors& errors) const override {
+    check_channels(file_.blocks.size(), channels() == ExportChannels::bands ? source.bands() : file_.blocks.size());
+    compare_reflectance(source, errors);
+    const Directions nodes = samples_.directions();
+    Directions above;
+    std::vector<std::size_t> node_above;
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+      const SurfaceVector viewer = about_specular(nodes.theta_i[k], nodes.theta_s[k], nodes.phi[k]);
+      if (!is_above(viewer)) continue;
+      above.add(nodes.theta_i[k], viewer.theta(), viewer.phi());
+      node_above.push_back(k);
+    }
+    const auto f = in_channels(channels(), source, source.evaluate(above));
+    std::vector<std::vector<double>> values(f.size(), std::vector<double>(nodes.size()));
+    for (std::size_t c = 0; c < f.size(); ++c) {
+      for (std::size_t k = 0; k < above.size(); ++k) values[c][node_above[k]] = f[c][k];
+      for (std::size_t k = 0; k < nodes.size(); ++k)
+        errors.compare(samples_.values()[c][k], values[c][k], [&] {
+          return fmt::format("{} at AngleOfIncidence {:.6g}, ScatterAzimuth {:.6g}, ScatterRadial {:.6g}",
+                             channel_name(channels(), source, c), nodes.theta_i[k], nodes.phi[k], nodes.theta_s[k]);
+        });
+    }
+    return std::make_unique<ZemaxTable>(file_, description_, samples_.with_values(std::move(values)));
+  }
+
+  static bool is_above(const SurfaceVector& viewer) { return viewer.theta() < largest_theta; }
 
  private:
+  static constexpr double largest_theta = 89.9999;
+
+  void compare_reflectance(const ExportSource& source, ValueErrors& errors) const {
+    const auto reflectance = in_channels(channels(), source, source.dhr(file_.incidence));
+    for (std::size_t c = 0; c < reflectance.size(); ++c)
+      for (std::size_t i = 0; i < file_.incidence.size(); ++i)
+        errors.compare(file_.blocks[c].tis.at(i), reflectance[c][i], [&] {
+          return fmt::format("TIS of {} at AngleOfIncidence {:.6g}", channel_name(channels(), source, c), file_.incidence[i]);
+        });
+  }
+
   ZemaxFile file_;
   Description description_;
   GridSamples samples_;
@@ -94,7 +136,7 @@ class ZemaxFormat : public ExportFormat {
       for (const double psi : azimuth)
         for (const double r : radial) {
           const SurfaceVector viewer = about_specular(theta_i, r, psi);
-          above.push_back(viewer.theta() < largest_theta);
+          above.push_back(ZemaxTable::is_above(viewer));
           if (above.back()) directions.add(theta_i, viewer.theta(), viewer.phi());
         }
     const bool is_colour = source.bands() > 1;
@@ -158,6 +200,12 @@ class ZemaxFormat : public ExportFormat {
     ZemaxFile file = ZemaxFile::read(in, path.string());
     if (file.blocks.size() != 1 && file.blocks.size() != 3)
       throw BadInput("{}: has {} blocks of data; Monochrome has one, XYZ three", path.string(), file.blocks.size());
+    const std::vector<std::string_view> contents =
+        file.blocks.size() == 1 ? std::vector<std::string_view>{"Monochrome"}
+                                : std::vector<std::string_view>{"TristimulusX", "TristimulusY", "TristimulusZ"};
+    for (std::size_t c = 0; c < contents.size(); ++c)
+      if (file.blocks[c].content != contents[c])
+        throw BadInput("{}: block {} is {}; must be {}", path.string(), c + 1, file.blocks[c].content, contents[c]);
     if (file.rotation.size() != 1)
       throw BadInput("{}: has {} rotations of the sample; an isotropic one has one", path.string(), file.rotation.size());
     Description description;
@@ -172,13 +220,11 @@ class ZemaxFormat : public ExportFormat {
           for (std::size_t r = 0; r < radials; ++r)
             turned[(i * radials + r) * azimuths + a] = block.values[(i * azimuths + a) * radials + r];
     }
-    GridSamples samples({file.incidence, file.rotation, file.radial, file.azimuth}, std::move(values));
+    GridSamples samples({file.incidence, file.rotation, file.radial, file.azimuth}, std::move(values), path.string());
     return std::make_unique<ZemaxTable>(std::move(file), std::move(description), std::move(samples));
   }
 
  private:
-  static constexpr double largest_theta = 89.9999;
-
   static std::vector<double> nodes(const char* option, const std::string& text, AxisKind kind) {
     try {
       const Axis axis = Axis::parse(kind, text);
