@@ -45,9 +45,13 @@ std::array<double, 3> statistics(const Region& region, const std::vector<double>
   return {portion(errors, 0.5), portion(errors, 0.95), std::isnan(share) ? INFINITY : share};
 }
 
+// Where the format's errors are large, f read is up to 1 + reached times f, and values off by the tolerance move it by as much.
+double beyond(double reached, double tolerance) { return tolerance * (1 + std::abs(reached)); }
+
 // The mean may lie between 0 and what the format reaches, and beyond either by the tolerance.
 double allowed_mean(double file, double reached, double tolerance) {
-  return file < 0 ? std::min(reached, 0.) - tolerance : std::max(reached, 0.) + tolerance;
+  const double room = beyond(reached, tolerance);
+  return file < 0 ? std::min(reached, 0.) - room : std::max(reached, 0.) + room;
 }
 
 void add_band_regions(std::vector<Region>& regions, const ReadValues& values, const Channels& rebuilt) {
@@ -134,7 +138,7 @@ ExportVerdict export_verdict(const ExportedTable& table, const ExportSource& sou
   ExportVerdict verdict{.tolerance = tolerance, .regions = {}, .values = ValueErrors(tolerance)};
   const auto right = table.rebuilt(source, verdict.values);
   const std::array<Channels, 3> rebuilt{right->evaluate(read.uniform.directions), right->evaluate(read.near_mirror.directions),
-                           right->evaluate(read.near_retro.directions)};
+                                        right->evaluate(read.near_retro.directions)};
   std::vector<Region> regions;
   add_band_regions(regions, read.uniform, rebuilt[0]);
   regions.push_back(whole("near the mirror direction", read.near_mirror, rebuilt[1]));
@@ -146,7 +150,8 @@ ExportVerdict export_verdict(const ExportedTable& table, const ExportSource& sou
       const auto file = statistics(region, region.values->read[c], model);
       const auto reached = statistics(region, (*region.rebuilt)[c], model);
       RegionErrors errors{region.name, channel_name(table.channels(), source, c), region.members.size(), {}};
-      for (const std::size_t k : {median, percentile_95}) errors.statistics[k] = {file[k], reached[k], reached[k] + tolerance};
+      for (const std::size_t k : {median, percentile_95})
+        errors.statistics[k] = {file[k], reached[k], reached[k] + beyond(reached[k], tolerance)};
       errors.statistics[mean] = {file[mean], reached[mean], allowed_mean(file[mean], reached[mean], tolerance)};
       verdict.regions.push_back(std::move(errors));
     }

@@ -13,8 +13,8 @@
 
 namespace brdftab {
 
-/// The share of f by which a file may be off beyond what its format reaches at its resolution: in the median, at 95 % and in the
-/// mean of each region of directions, and in each value.
+/// The share of f by which a file may be off beyond what its format reaches at its resolution: in the median, at 95 % of
+/// directions and in the mean of each region, and in each value.
 ///
 /// Formats hold seven digits or more, or as many as the file shows, and f is computed to 1e-11 of it, in float32 arithmetic to
 /// 1e-5: what is right stays within a hundredth of this.

@@ -135,7 +135,7 @@ Measurement read_alta_measurement(std::istream& in, const std::string& source) {
   return measurement;
 }
 
-Measurement read_astm_measurement(std::istream& in, const std::string& source) {
+Measurement read_astm_rows(std::istream& in, const std::string& source) {
   Measurement measurement;
   measurement.source = source;
   std::size_t at_rim = 0;
@@ -163,6 +163,11 @@ Measurement read_astm_measurement(std::istream& in, const std::string& source) {
   }
   warn_of_rim(measurement, at_rim);
   if (measurement.channels.empty()) throw BadInput("{}:1: has no line VARS theta_i,phi_i,theta_s,phi_s,...", source);
+  return measurement;
+}
+
+Measurement read_astm_measurement(std::istream& in, const std::string& source) {
+  Measurement measurement = read_astm_rows(in, source);
   set_aside_repeats_of_grid(measurement);
   return measurement;
 }

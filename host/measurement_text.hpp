@@ -17,6 +17,9 @@ Measurement read_alta_measurement(std::istream& in, const std::string& source);
 /// surface.
 Measurement read_astm_measurement(std::istream& in, const std::string& source);
 
+/// The same with the rows that the format repeats: one for each node of its grid.
+Measurement read_astm_rows(std::istream& in, const std::string& source);
+
 /// Zemax OpticStudio tabular BSDF: degrees about the specular direction, azimuth 0 toward the normal; PlaneSymmetrical or
 /// asymmetrical with one SampleRotation; BRDF.
 Measurement read_zemax_measurement(std::istream& in, const std::string& source);
