@@ -46,7 +46,7 @@ class Program:
         command = [str(part) for part in command]
         if not pathlib.Path(command[0]).exists():
             target = pathlib.Path(command[0]).name
-            raise NotMeasured(f"{command[0]}: does not exist: tests/run makes it, or cmake --build --preset release --target {target}")
+            raise NotMeasured(f"{command[0]}: missing: tests/run or cmake --build --preset release --target {target} makes it")
         line = shlex.join(command).replace(f"{self.build}/", ".build/release/").replace(f"{self.root}/", "")
         self.commands.append(line if self.data is None else line.replace(f"{self.data.resolve()}/", ""))
         return command
