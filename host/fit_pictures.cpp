@@ -19,8 +19,8 @@ namespace brdftab {
 namespace {
 
 constexpr std::array<double, 2> shown_shadowing{30, 70};
-// As many as a legend holds in one column.
-constexpr std::size_t most_incidences = 18;
+// As many as a legend holds in one column above three notes.
+constexpr std::size_t most_incidences = 17;
 
 void write(const std::filesystem::path& path, const std::string& text, bool force) {
   PartialFile file(path, force);

@@ -105,10 +105,15 @@ std::string summary_text(const FitProblem& problem, const FitSummary& summary) {
       text += fmt::format("{:<20} {:>12.5g} {:>12}   {:<26} fixed\n", parameter_table[p].name,
                           *problem.options().choices[p].fixed, "-", "");
   text += fmt::format("\nrms of ln(model/data), {}\n", rms_text(summary));
-  for (const IncidenceFit& at : summary.incidences)
+  const bool together = std::any_of(summary.incidences.begin(), summary.incidences.end(),
+                                    [](const IncidenceFit& at) { return at.first != at.last; });
+  if (together)
     text +=
-        fmt::format("  {}theta_i = {:<8} {:.4g}   ({} samples)   DHR {:.4g}\n",
-                    problem.bands().size() > 1 ? at.channel + " " : "", incidence_text(at, " to "), at.rms, at.samples, at.dhr);
+        fmt::format("  {} angles of incidence, neighbouring ones in one line; DHR at their mean\n", problem.incidences().size());
+  for (const IncidenceFit& at : summary.incidences)
+    text += fmt::format("  {}theta_i = {:<{}} {:.4g}   ({} samples)   DHR {:.4g}\n",
+                        problem.bands().size() > 1 ? at.channel + " " : "", incidence_text(at, " to "), together ? 16 : 8, at.rms,
+                        at.samples, at.dhr);
   text += fmt::format("condition number of J^T J, columns of unit length: {:.2g}\n", summary.linear.condition);
   if (!summary.correlations.empty()) text += "strongest correlations\n";
   for (const Correlation& pair : summary.correlations)

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <boost/math/special_functions/digamma.hpp>
 #include <map>
+#include <utility>
 
 #include "host/error.hpp"
+#include "host/normalization_nodes.hpp"
 
 namespace brdftab {
 namespace {
@@ -13,6 +15,8 @@ namespace {
 constexpr std::size_t group = 8;
 // Bounds the memory that one launch takes.
 constexpr std::size_t most_materials_at_once = 256;
+// N and its three derivatives, of three lobes.
+constexpr std::size_t n_rows = 12;
 
 }  // namespace
 
@@ -59,7 +63,15 @@ LogBrdfGradients::LogBrdfGradients(const Engine& engine, std::span<const Directi
     scatter[k] = switches.normalization == Normalization::reciprocal ? index_of(theta_s[k]) : incidence[k];
   }
   angles_ = angles.size();
-  theta_ = engine.upload_polar_angles(angles);
+  const NormalizationNodes nodes(angles);
+  nodes_ = nodes.theta().size();
+  interpolates_ = nodes.interpolates();
+  nodes_theta_ = engine.upload_polar_angles(nodes.theta());
+  if (interpolates_) {
+    node_first_ = engine.upload(nodes.first());
+    node_count_ = engine.upload(nodes.count());
+    node_share_ = engine.upload(nodes.share());
+  }
   theta_i_ = engine.upload_polar_angles(theta_i);
   theta_s_ = engine.upload_polar_angles(theta_s);
   phi_ = engine.upload(phi);
@@ -89,13 +101,23 @@ LogBrdfValues LogBrdfGradients::evaluate(std::span<const Parameters> materials) 
     const auto part = materials.subspan(begin, std::min(most_materials_at_once, materials.size() - begin));
     const auto constants = bytes_of_materials(part);
     const cl::Buffer on_device = engine_.upload(std::span<const std::byte>(constants));
-    const cl::Buffer n = engine_.buffer(part.size() * 12 * angles_ * bytes_of(engine_.working()));
+    const auto n_of = [&](std::size_t angles) {
+      return engine_.buffer(part.size() * n_rows * angles * bytes_of(engine_.working()));
+    };
+    cl::Buffer n = n_of(nodes_);
     const cl::Buffer out = engine_.buffer(part.size() * rows * padded_ * bytes_of(engine_.working()));
     const auto variant = model_variant<kernel_f64::ModelVariant>(switches_);
 
     cl::Kernel normalizations = engine_.gradient_kernel("normalization_gradients");
-    set_arguments(normalizations, theta_, static_cast<cl_int>(angles_), on_device, n, variant);
-    engine_.run_items(normalizations, {angles_, 3, part.size()});
+    set_arguments(normalizations, nodes_theta_, static_cast<cl_int>(nodes_), on_device, n, variant);
+    engine_.run_items(normalizations, {nodes_, 3, part.size()});
+    if (interpolates_) {
+      const cl::Buffer at_nodes = std::exchange(n, n_of(angles_));
+      cl::Kernel interpolate = engine_.gradient_kernel("interpolate_normalizations");
+      set_arguments(interpolate, at_nodes, static_cast<cl_int>(nodes_), node_first_, node_count_, node_share_,
+                    static_cast<cl_int>(NormalizationNodes::width), n);
+      engine_.run_items(interpolate, {angles_, 1, part.size()});
+    }
 
     cl::Kernel gradients = engine_.gradient_kernel("log_brdf_gradients");
     set_arguments(gradients, theta_i_, theta_s_, phi_, incidence_, scatter_, n, static_cast<cl_int>(angles_));

@@ -33,7 +33,8 @@ class LogBrdfValues {
   std::size_t pairs_;
 };
 
-/// Lorentzian lobes with hemispherical or reciprocal N only, which is integrated anew for each material.
+/// Lorentzian lobes with hemispherical or reciprocal N only, which is integrated anew for each material, at the nodes that
+/// NormalizationNodes has for the angles.
 class LogBrdfGradients {
  public:
   /// `share_s`: the part of s-polarised light; 1/2: unpolarised. The engine must outlive this. Throws BadInput for a
@@ -48,10 +49,11 @@ class LogBrdfGradients {
   const Engine& engine_;
   std::size_t pairs_;
   std::size_t padded_;
-  std::size_t angles_;
+  std::size_t angles_, nodes_;
+  bool interpolates_;
   double share_s_;
   ModelSwitches switches_;
-  cl::Buffer theta_, theta_i_, theta_s_, phi_, incidence_, scatter_;
+  cl::Buffer nodes_theta_, node_first_, node_count_, node_share_, theta_i_, theta_s_, phi_, incidence_, scatter_;
 };
 
 }  // namespace brdftab

@@ -3,35 +3,30 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <numbers>
 
 #include "host/normalizations.hpp"
+#include "host/polar_stretch.hpp"
 
 namespace brdftab {
 namespace {
 
 constexpr double step = 0.0237;
-constexpr double radian = std::numbers::pi / 180;
-
-double place(double theta) { return std::log((1 + std::sin(theta * radian)) / std::sin((90 - theta) * radian)); }
-
-double angle(double place) { return 90 - std::asin(1 / std::cosh(place)) / radian; }
 
 }  // namespace
 
 NormalizationCurve::NormalizationCurve(const Engine& engine, const Band& band, const ModelSwitches& switches,
                                        double largest_theta) {
-  const auto nodes = static_cast<std::size_t>(place(largest_theta) / step) + Stencil::width / 2 + 1;
+  const auto nodes = static_cast<std::size_t>(stretched(largest_theta) / step) + Stencil::width / 2 + 1;
   std::vector<double> theta{0};
   while (theta.size() < std::max<std::size_t>(nodes, Stencil::width))
-    theta.push_back(angle(static_cast<double>(theta.size()) * step));
+    theta.push_back(unstretched(static_cast<double>(theta.size()) * step));
   const auto n = normalizations(engine, band, switches, theta);
   for (std::size_t lobe = 0; lobe < 3; ++lobe)
     for (const double value : n.value[lobe]) log_n_[lobe].push_back(std::log(value));
 }
 
 NormalizationCurve::Stencil NormalizationCurve::stencil(double theta) {
-  const double x = place(theta) / step;
+  const double x = stretched(theta) / step;
   Stencil result{.first = static_cast<std::ptrdiff_t>(x) - Stencil::width / 2 + 1, .share = {}};
   double sum = 0;
   double binomial = 1;

@@ -17,6 +17,24 @@ __kernel void normalization_gradients(__global const scalar *restrict theta, int
     n[((material * LOBE_COUNT + lobe) * N_COMPONENTS + k) * angles + angle] = gradient.component[k];
 }
 
+// N at angles from N at fewer nodes, as NormalizationNodes has it: first, count: [angle]; share: [angle][width]. Global size:
+// angles x 1 x materials.
+__kernel void interpolate_normalizations(__global const scalar *restrict at_nodes, int nodes, __global const int *restrict first,
+                                         __global const int *restrict count, __global const scalar *restrict share, int width,
+                                         __global scalar *restrict n)
+{
+  const size_t angle = get_global_id(0);
+  const size_t angles = get_global_size(0);
+  const size_t material = get_global_id(2);
+  for (int c = 0; c < LOBE_COUNT * N_COMPONENTS; ++c) {
+    const size_t row = material * LOBE_COUNT * N_COMPONENTS + c;
+    scalar sum = SCALAR(0.0);
+    for (int j = 0; j < count[angle]; ++j)
+      sum = fma(share[angle * width + j], at_nodes[row * nodes + first[angle] + j], sum);
+    n[row * angles + angle] = sum;
+  }
+}
+
 // ln f and d ln f/d parameter of each pair: out[material][1 + PARAMETER_COUNT][pairs]. Angles in degrees; incidence, scatter:
 // the indices of theta_i and theta_s among the angles of n. Global size: pairs / BRDFTAB_WIDTH x materials.
 __kernel void log_brdf_gradients(__global const scalar *restrict theta_i, __global const scalar *restrict theta_s,
