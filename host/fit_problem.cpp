@@ -34,7 +34,7 @@ FitProblem::FitProblem(const Engine& engine, const Measurement& measurement, con
     pairs.emplace_back();
     for (const auto& sample : band.samples) pairs.back().push_back(sample.pair);
   }
-  batch_ = std::make_unique<GradientBatch>(engine, pairs, options.share_s, options.switches);
+  batch_ = std::make_unique<GradientBatch>(engine, pairs, options.share_s, options.switches, measurement.mean_of_exchanges);
 }
 
 void FitProblem::take_samples(const Measurement& measurement) {

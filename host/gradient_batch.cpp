@@ -16,8 +16,10 @@ thread_local bool is_gathered = false;
 }  // namespace
 
 GradientBatch::GradientBatch(const Engine& engine, const std::vector<std::vector<DirectionPair>>& bands, double share_s,
-                             const ModelSwitches& switches) {
-  for (const auto& pairs : bands) bands_.emplace_back(engine, pairs, share_s, switches);
+                             const ModelSwitches& switches, bool mean_of_exchanges)
+    : mean_of_exchanges_(mean_of_exchanges) {
+  for (const auto& pairs : bands)
+    bands_.emplace_back(engine, mean_of_exchanges ? with_exchanges(pairs) : pairs, share_s, switches);
 }
 
 void GradientBatch::run(std::size_t count, std::size_t at_once, const std::function<void(std::size_t)>& work) {
@@ -98,7 +100,9 @@ void GradientBatch::launch(std::vector<Request*> requests) {
     for (std::size_t b = 0; b < bands_.size(); ++b) {
       std::vector<Parameters> materials;
       for (const Request* request : requests) materials.push_back(request->bands[b]);
-      const auto values = std::make_shared<const LogBrdfValues>(bands_[b].evaluate(materials));
+      LogBrdfValues all = bands_[b].evaluate(materials);
+      const auto values =
+          std::make_shared<const LogBrdfValues>(mean_of_exchanges_ ? all.mean_of_exchanges(materials.size()) : std::move(all));
       for (std::size_t k = 0; k < requests.size(); ++k) requests[k]->result.push_back({values, k});
     }
   } catch (...) {

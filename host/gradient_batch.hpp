@@ -23,9 +23,9 @@ struct BandValues {
 
 class GradientBatch {
  public:
-  /// One list of directions for each band.
+  /// One list of directions for each band. `mean_of_exchanges`: ln of the mean of f(i, s) and f(s, i), and its derivatives.
   GradientBatch(const Engine& engine, const std::vector<std::vector<DirectionPair>>& bands, double share_s,
-                const ModelSwitches& switches);
+                const ModelSwitches& switches, bool mean_of_exchanges = false);
 
   /// Calls work(0) ... work(count - 1), each in a thread of its own, `at_once` of them at a time; rethrows the first
   /// exception.
@@ -52,6 +52,7 @@ class GradientBatch {
   void launch(std::vector<Request*> requests);
 
   std::vector<LogBrdfGradients> bands_;
+  bool mean_of_exchanges_;
   std::mutex mutex_;
   std::condition_variable changed_;
   std::vector<Request*> waiting_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <boost/math/special_functions/digamma.hpp>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -35,6 +36,34 @@ Constants gradient_constants(const Parameters& parameters) {
 
 template kernel_f64::GradientConstants gradient_constants(const Parameters&);
 template kernel_f32::GradientConstants gradient_constants(const Parameters&);
+
+LogBrdfValues LogBrdfValues::mean_of_exchanges(std::size_t materials) const {
+  const std::size_t half = pairs_ / 2;
+  std::vector<double> values(materials * rows * half);
+  for (std::size_t m = 0; m < materials; ++m) {
+    const auto ln_f = row(m * rows);
+    for (std::size_t k = 0; k < half; ++k) {
+      const double here = ln_f[k], exchanged = ln_f[half + k], larger = std::max(here, exchanged);
+      const double mean = larger + std::log(0.5 * (std::exp(here - larger) + std::exp(exchanged - larger)));
+      const double share = 0.5 * std::exp(here - mean);
+      values[m * rows * half + k] = mean;
+      for (std::size_t p = 1; p < rows; ++p) {
+        const auto by = row(m * rows + p);
+        values[(m * rows + p) * half + k] = share * by[k] + (1 - share) * by[half + k];
+      }
+    }
+  }
+  return {std::move(values), half, half};
+}
+
+std::vector<DirectionPair> with_exchanges(std::vector<DirectionPair> pairs) {
+  const std::size_t count = pairs.size();
+  for (std::size_t k = 0; k < count; ++k) {
+    const DirectionPair pair = pairs[k];
+    pairs.push_back({.theta_i = pair.model_theta_s(), .theta_s = pair.theta_i, .phi = pair.model_phi(), .line = pair.line});
+  }
+  return pairs;
+}
 
 LogBrdfGradients::LogBrdfGradients(const Engine& engine, std::span<const DirectionPair> pairs, double share_s,
                                    const ModelSwitches& switches)

@@ -24,6 +24,9 @@ class LogBrdfValues {
   std::span<const double> ln_f(std::size_t material) const { return row(material * rows); }
   std::span<const double> by(std::size_t material, std::size_t parameter) const { return row(material * rows + 1 + parameter); }
 
+  /// Of a list by `with_exchanges`: ln of the mean of f(i, s) and f(s, i), and its derivatives.
+  LogBrdfValues mean_of_exchanges(std::size_t materials) const;
+
  private:
   static constexpr std::size_t rows = 1 + parameter_table.size();
   std::span<const double> row(std::size_t k) const { return std::span(values_).subspan(k * padded_, pairs_); }
@@ -32,6 +35,9 @@ class LogBrdfValues {
   std::size_t padded_;
   std::size_t pairs_;
 };
+
+/// The pairs, and after them each with light and view exchanged.
+std::vector<DirectionPair> with_exchanges(std::vector<DirectionPair> pairs);
 
 /// Lorentzian lobes with hemispherical or reciprocal N only, which is integrated anew for each material, at the nodes that
 /// NormalizationNodes has for the angles.

@@ -10,20 +10,13 @@
 #include <set>
 #include <tuple>
 
+#include "host/doubts.hpp"
 #include "host/error.hpp"
 #include "host/measurement_text.hpp"
 #include "host/numbers.hpp"
 
 namespace brdftab {
 namespace {
-
-// A diffuse reflectance above 1 by more than a measurement's error; a radiance factor, pi f, reads at most pi times too high.
-constexpr double suspicious_reflectance = 1.1;
-// From here on a surface's forward scatter exceeds its backward scatter by far, unless it retro-reflects.
-constexpr double high_incidence = 45;
-constexpr double suspicious_asymmetry = 2;
-
-bool is_backward(const DirectionPair& pair) { return std::cos(pair.model_phi() * std::numbers::pi / 180) < 0; }
 
 void set_aside_what_is_not_positive(Measurement& measurement) {
   std::size_t nans = 0;
@@ -69,56 +62,17 @@ void count_repeated_readings(Measurement& measurement) {
         equal));
 }
 
-// A tenth of the values lie below this one: the diffuse level, whatever peaks there are.
-double low_level(std::vector<double> values) {
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 10);
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
-}
-
-void warn_of_other_units(Measurement& measurement) {
-  std::map<std::pair<std::size_t, double>, std::vector<double>> by_incidence;
-  for (const auto& sample : measurement.samples)
-    if (sample.pair.model_theta_s() <= 60) by_incidence[{sample.channel, sample.pair.theta_i}].push_back(sample.brdf);
-  double lowest = std::numeric_limits<double>::infinity();
-  for (auto& [key, values] : by_incidence)
-    if (values.size() >= 5) lowest = std::min(lowest, low_level(values));
-  if (!std::isfinite(lowest)) return;
-  const double reflectance = std::numbers::pi * lowest;
-  if (reflectance <= suspicious_reflectance) return;
-  const bool is_percent = reflectance > suspicious_reflectance * std::numbers::pi;
-  measurement.warnings.push_back(fmt::format(
-      "f is at least {:.3g} 1/sr at nearly all directions, a reflectance of {:.3g}: this looks like {}; {} mends that", lowest,
-      reflectance, is_percent ? "percent" : "pi f", is_percent ? "--scale 0.01" : "--scale 0.3183099"));
-}
-
-void warn_of_reversed_azimuth(Measurement& measurement) {
-  double highest = 0;
-  for (const auto& sample : measurement.samples) highest = std::max(highest, sample.pair.theta_i);
-  if (highest < high_incidence) return;
-  double forward = 0;
-  double backward = 0;
-  for (const auto& sample : measurement.samples)
-    if (sample.pair.theta_i == highest && sample.pair.model_theta_s() > 0) {
-      double& peak = is_backward(sample.pair) ? backward : forward;
-      peak = std::max(peak, sample.brdf);
-    }
-  if (forward > 0 && backward > suspicious_asymmetry * forward)
-    measurement.warnings.push_back(
-        fmt::format("at theta_i = {} degrees the peak is on the backward side, {:.3g} against {:.3g} 1/sr: unless the material "
-                    "retro-reflects, the azimuth is counted from the other side; --flip-azimuth turns it",
-                    shortest(highest), backward, forward));
-}
-
 struct Reader {
   std::string_view format;
   std::array<std::string_view, 2> extensions;
-  Measurement (*read)(std::istream&, const std::string&);
+  Measurement (*read)(std::istream&, const std::string&, const MeasurementOptions&);
+  /// Grids are written in it too, with every azimuth at the normal and at 0 and 360 degrees.
+  bool lists_grids = false;
 };
 
 constexpr std::array<Reader, 5> readers{{{"csv", {".csv", ".csv"}, read_csv_measurement},
-                                         {"alta", {".alta", ".dat"}, read_alta_measurement},
-                                         {"astm", {".astm", ".astm"}, read_astm_measurement},
+                                         {"alta", {".alta", ".dat"}, read_alta_measurement, true},
+                                         {"astm", {".astm", ".astm"}, read_astm_measurement, true},
                                          {"zemax", {".bsdf", ".bsdf"}, read_zemax_measurement},
                                          {"merl", {".binary", ".binary"}, read_merl_measurement}}};
 
@@ -146,10 +100,17 @@ Incidences Measurement::incidences() const {
 }
 
 std::optional<double> Measurement::wavelength_nm(std::size_t channel) const {
-  std::string_view name = channels[channel];
-  if (name.ends_with("nm")) name.remove_suffix(2);
-  const auto value = parse_number(name);
-  return value && std::isfinite(*value) && *value > 0 ? value : std::nullopt;
+  const auto wavelength = parse_wavelength(channels[channel]);
+  return wavelength ? std::optional(wavelength->nm) : std::nullopt;
+}
+
+std::optional<std::size_t> Measurement::find_channel(std::string_view name) const {
+  const auto wavelength = parse_wavelength(name);
+  for (std::size_t c = 0; c < channels.size(); ++c) {
+    const auto other = wavelength_nm(c);
+    if (channels[c] == name || (wavelength && other && is_same_wavelength(wavelength->nm, *other))) return c;
+  }
+  return std::nullopt;
 }
 
 Measurement Measurement::channel(std::size_t index) const {
@@ -157,7 +118,8 @@ Measurement Measurement::channel(std::size_t index) const {
                      .channels = {channels[index]},
                      .samples = {},
                      .warnings = {},
-                     .incidence_width = incidence_width};
+                     .incidence_width = incidence_width,
+                     .mean_of_exchanges = mean_of_exchanges};
   for (MeasuredSample sample : samples)
     if (sample.channel == index) {
       sample.channel = 0;
@@ -182,13 +144,43 @@ void set_aside_repeats_of_grid(Measurement& measurement) {
                     repeated));
 }
 
-void clean(Measurement& measurement) {
+void unite_channels(Measurement& measurement, const std::optional<WavelengthUnit>& unit) {
+  std::vector<std::string> names;
+  std::vector<std::size_t> united;
+  for (const std::string& text : measurement.channels) {
+    const auto wavelength = parse_wavelength(text, unit.value_or(wavelength_units[0]));
+    const auto is_this = [&](const std::string& name) {
+      const auto other = parse_wavelength(name);
+      return wavelength && other ? is_same_wavelength(wavelength->nm, other->nm) : name == text;
+    };
+    united.push_back(static_cast<std::size_t>(std::find_if(names.begin(), names.end(), is_this) - names.begin()));
+    if (united.back() < names.size()) continue;
+    names.push_back(wavelength && wavelength->nm_per_unit != 1 ? shortest(wavelength->nm) : text);
+  }
+  measurement.channels = std::move(names);
+  for (auto& sample : measurement.samples) sample.channel = united[sample.channel];
+}
+
+void clean(Measurement& measurement, const MeasurementOptions& options) {
   if (measurement.samples.empty()) throw BadInput("{}: has no samples", measurement.source);
+  const auto add = [&](std::string doubt) {
+    if (!doubt.empty()) measurement.warnings.push_back(std::move(doubt));
+  };
+  // What the user says of the values is not questioned.
+  const bool are_known = options.values == ValueKind::brdf;
+  const std::string logarithms = are_known ? std::string() : doubt_of_logarithms(measurement);
+  add(logarithms);
   set_aside_what_is_not_positive(measurement);
-  if (measurement.samples.empty()) throw BadInput("{}: no sample has f above 0", measurement.source);
+  if (measurement.samples.empty())
+    throw BadInput("{}: no sample has f above 0{}{}", measurement.source, logarithms.empty() ? "" : ": ", logarithms);
   count_repeated_readings(measurement);
-  warn_of_other_units(measurement);
-  warn_of_reversed_azimuth(measurement);
+  if (!are_known && logarithms.empty()) {
+    add(doubt_of_level(measurement));
+    add(doubt_of_cosine(measurement));
+  }
+  if (logarithms.empty()) add(doubt_of_azimuth(measurement));
+  add(doubt_of_geometry(measurement));
+  if (!options.wavelength_unit) add(doubt_of_wavelengths(measurement));
 }
 
 Measurement read_measurement(const std::filesystem::path& file, const MeasurementOptions& options) {
@@ -197,22 +189,26 @@ Measurement read_measurement(const std::filesystem::path& file, const Measuremen
   if (reader == readers.end()) throw BadInput("--format {}: must be csv, alta, astm, zemax or merl", format);
   Measurement measurement;
   if (file == "-") {
-    measurement = reader->read(std::cin, "standard input");
+    measurement = reader->read(std::cin, "standard input", options);
   } else {
     std::error_code error;
     if (std::filesystem::is_directory(file, error)) throw FileError("{}: is a folder", file.string());
     std::ifstream in(file, std::ios::binary);
     if (!in) throw FileError("{}: cannot be opened: {}", file.string(), std::generic_category().message(errno));
-    measurement = reader->read(in, file.string());
+    measurement = reader->read(in, file.string(), options);
     if (in.bad()) throw FileError("{}: cannot be read", file.string());
   }
+  if (reader->lists_grids) set_aside_repeats_of_grid(measurement);
   measurement.incidence_width = options.incidence_width;
+  unite_channels(measurement, options.wavelength_unit);
+  const ValueKind kind = options.values.value_or(ValueKind::brdf);
   for (auto& sample : measurement.samples) {
-    sample.brdf *= options.scale;
-    sample.sigma *= options.scale;
+    const double theta_s = sample.pair.model_theta_s();
+    sample.brdf = options.scale * brdf_of(kind, sample.brdf, theta_s);
+    sample.sigma *= options.scale * slope_of_brdf(kind, sample.brdf / options.scale, theta_s);
     if (options.flip_azimuth) sample.pair.phi += 180;
   }
-  clean(measurement);
+  clean(measurement, options);
   return measurement;
 }
 

@@ -1,15 +1,20 @@
 // A measured BRDF: what a file holds, cleaned and counted, before any model is fitted to it.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <istream>
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "host/angle_unit.hpp"
 #include "host/direction_list.hpp"
 #include "host/incidences.hpp"
+#include "host/value_kind.hpp"
+#include "host/wavelength_unit.hpp"
 
 namespace brdftab {
 
@@ -30,14 +35,20 @@ struct Measurement {
   std::vector<MeasuredSample> samples;
   /// What was set aside or looks suspicious, one line each, with counts.
   std::vector<std::string> warnings;
+  /// How the samples were taken, where the file does not say it.
+  std::vector<std::string> notes = {};
   /// Of one setting of theta_i, degrees.
   double incidence_width = Incidences::usual_width;
+  /// Each value is the mean of f(i, s) and f(s, i), as in formats that cannot tell the two apart.
+  bool mean_of_exchanges = false;
 
   bool has_sigma() const;
   /// The settings of theta_i, of all channels together.
   Incidences incidences() const;
-  /// Of a channel; none where its name is not a number.
+  /// Of a channel; none where its name is no wavelength.
   std::optional<double> wavelength_nm(std::size_t channel) const;
+  /// By its text, or by its wavelength in whatever text and unit.
+  std::optional<std::size_t> find_channel(std::string_view name) const;
   /// The samples of one channel, as a measurement of its own.
   Measurement channel(std::size_t index) const;
 };
@@ -45,9 +56,18 @@ struct Measurement {
 /// What the user says about a file's conventions.
 struct MeasurementOptions {
   /// csv, alta, astm, zemax or merl; empty: by the file's name.
-  std::string format;
-  /// Factor to f in 1/sr: 0.31831 for values of pi f, 0.01 for percent.
+  std::string format = {};
+  /// Of the angles; none: the layout's own (csv and zemax: degrees, alta and astm: radians).
+  std::optional<AngleUnit> angles = {};
+  /// What the values are; none: f in 1/sr, and a warning where they look unlike it.
+  std::optional<ValueKind> values = {};
+  /// Factor to f in 1/sr, beside `values`.
   double scale = 1;
+  /// Of wavelengths whose text or column names none; none: nm, and a warning where that is no light's.
+  std::optional<WavelengthUnit> wavelength_unit = {};
+  /// Directions over the hemisphere that a MERL file is sampled at; 0: in plane.
+  std::size_t merl_samples = 0;
+  std::uint64_t merl_seed = 1;
   /// Adds 180 degrees to phi: for files whose azimuth 0 is the backward side.
   bool flip_azimuth = false;
   /// Of one setting of theta_i, degrees; 0 tells every two numbers apart.
@@ -59,8 +79,13 @@ struct MeasurementOptions {
 /// `FILE:LINE: ...` where its content is no measurement.
 Measurement read_measurement(const std::filesystem::path& file, const MeasurementOptions& options = {});
 
-/// CSV with the columns of `read_directions`, brdf_per_sr or brdf (1/sr), and optionally channel or wavelength_nm, and sigma (1/sr).
-Measurement read_csv_measurement(std::istream& in, const std::string& source);
+/// CSV with the columns of `read_directions`, brdf_per_sr or brdf (1/sr), and optionally channel, wavelength_nm or
+/// wavelength_um, and sigma (1/sr). Of the options it takes `angles`.
+Measurement read_csv_measurement(std::istream& in, const std::string& source, const MeasurementOptions& options = {});
+
+/// Channels that are the same wavelength, whatever their text, become one; names with another unit than nm, or in `unit`,
+/// become numbers in nm.
+void unite_channels(Measurement& measurement, const std::optional<WavelengthUnit>& unit);
 
 /// For formats that grids are written in: where every direction that occurs again has its value again, all but the first are
 /// set aside and counted. Where one does not, the rows are readings, and all are kept.
@@ -68,6 +93,6 @@ void set_aside_repeats_of_grid(Measurement& measurement);
 
 /// Sets aside what is no positive number; then counts repeated readings, and adds warnings where values or azimuths look unlike
 /// f_r in 1/sr with phi = 0 forward. Throws BadInput where nothing is left.
-void clean(Measurement& measurement);
+void clean(Measurement& measurement, const MeasurementOptions& options = {});
 
 }  // namespace brdftab

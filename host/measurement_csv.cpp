@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "host/error.hpp"
 #include "host/measurement.hpp"
@@ -14,9 +15,32 @@ double number(const Csv& csv, std::string_view cell, std::string_view column, st
   return *value;
 }
 
+// Into degrees; false where theta is a quarter of a turn, but for digits, and the model has no value.
+bool take_angles(DirectionPair& pair, const AngleUnit& unit, const Csv& csv) {
+  constexpr double beyond_rim = 0.02;
+  pair.theta_i = in_degrees(pair.theta_i, unit.theta);
+  pair.theta_s = in_degrees(pair.theta_s, unit.theta);
+  pair.phi = in_degrees(pair.phi, unit.phi);
+  const double theta = std::max(pair.theta_i, pair.model_theta_s());
+  if (theta > 90 + beyond_rim)
+    throw BadInput("{}: theta = {} degrees, by --angles {}: must be below 90", csv.where(), shortest(theta), unit.name);
+  return theta < 90;
+}
+
+void warn_of_radians(Measurement& measurement) {
+  std::vector<double> theta_i, theta_s, phi;
+  for (const auto& sample : measurement.samples) {
+    theta_i.push_back(sample.pair.theta_i);
+    theta_s.push_back(sample.pair.theta_s);
+    phi.push_back(sample.pair.phi);
+  }
+  std::string doubt = doubt_of_degrees(theta_i, theta_s, phi);
+  if (!doubt.empty()) measurement.warnings.push_back(std::move(doubt));
+}
+
 }  // namespace
 
-Measurement read_csv_measurement(std::istream& in, const std::string& source) {
+Measurement read_csv_measurement(std::istream& in, const std::string& source, const MeasurementOptions& options) {
   constexpr std::string_view wanted = "theta_i_deg, theta_s_deg, phi_deg and brdf_per_sr";
   Csv csv(in, source, wanted);
   const DirectionColumns directions(csv);
@@ -24,24 +48,37 @@ Measurement read_csv_measurement(std::istream& in, const std::string& source) {
   const auto brdf = csv.column("brdf_per_sr") ? csv.column("brdf_per_sr") : csv.column("brdf");
   if (!brdf) throw BadInput("{}: the column brdf_per_sr is missing; a header names {}", csv.where(), wanted);
   const auto sigma = csv.column("sigma");
-  const auto channel = csv.column("wavelength_nm") ? csv.column("wavelength_nm") : csv.column("channel");
+  const auto micrometres = csv.column("wavelength_um");
+  if (micrometres && csv.column("wavelength_nm"))
+    throw BadInput("{}: wavelength_nm and wavelength_um: one of them must do", csv.where());
+  const auto channel = micrometres                   ? micrometres
+                       : csv.column("wavelength_nm") ? csv.column("wavelength_nm")
+                                                     : csv.column("channel");
+  std::size_t at_rim = 0;
   Measurement measurement;
   measurement.source = source;
   while (const auto* cells = csv.next()) {
     MeasuredSample sample{.pair = directions.read(csv, *cells), .brdf = 0};
+    const bool is_at_rim = options.angles && !take_angles(sample.pair, *options.angles, csv);
     sample.brdf = number(csv, (*cells)[*brdf], "brdf_per_sr", "a number in 1/sr");
     if (sigma) {
       sample.sigma = number(csv, (*cells)[*sigma], "sigma", "a number above 0, in 1/sr");
       if (!(sample.sigma > 0))
         throw BadInput("{}: sigma = {}: must be a number above 0, in 1/sr", csv.where(), excerpt((*cells)[*sigma]));
     }
-    const std::string name(channel ? (*cells)[*channel] : std::string_view{});
+    std::string name(channel ? (*cells)[*channel] : std::string_view{});
+    if (micrometres && parse_number(name)) name += "um";
     auto& names = measurement.channels;
     const auto at = std::find(names.begin(), names.end(), name);
     sample.channel = static_cast<std::size_t>(at - names.begin());
     if (at == names.end()) names.push_back(name);
-    measurement.samples.push_back(sample);
+    if (is_at_rim)
+      ++at_rim;
+    else
+      measurement.samples.push_back(sample);
   }
+  if (at_rim > 0) measurement.warnings.push_back(fmt::format("{} samples at theta = 90 degrees: set aside", at_rim));
+  if (!options.angles) warn_of_radians(measurement);
   return measurement;
 }
 

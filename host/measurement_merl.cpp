@@ -1,10 +1,13 @@
-// MERL binary files as measurements: in plane, between the centres of cells.
+// MERL binary files as measurements: between the centres of cells, in plane or over the hemisphere.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <random>
 
 #include "host/error.hpp"
 #include "host/measurement_text.hpp"
 #include "host/merl_file.hpp"
+#include "host/surface_vector.hpp"
 
 namespace brdftab {
 namespace {
@@ -12,47 +15,98 @@ namespace {
 // MERL's own measurements are unreliable beyond.
 constexpr int largest_theta = 80;
 constexpr int step_i = 10;
-constexpr int step_s = 2;
+constexpr int step_s_in_plane = 2;
+// Of samples over the hemisphere: few polar angles, since a fit integrates N at each, in either role.
+constexpr int step_s = 5;
+// Of the samples, beside those that are uniform in solid angle.
+constexpr double near_mirror = 0.2, near_retro = 0.1;
+// Azimuths from a lobe's centre, degrees: as many in each factor of two.
+constexpr double nearest = 0.5, farthest = 32;
 
-// In plane: f at theta_h and theta_d in degrees, between the centres of cells; negative where one of them is invalid.
-// phi_d is 0 or 180 degrees, between the first cell and the last.
-double in_plane(const MerlFile& file, int channel, double theta_h, double theta_d) {
-  constexpr int cells_h = MerlFile::cells_h, cells_d = MerlFile::cells_d;
-  const double h = std::clamp(std::sqrt(theta_h * cells_h) - 0.5, 0., cells_h - 1.);
-  const double d = std::clamp(theta_d - 0.5, 0., cells_d - 1.);
-  const int h0 = std::min(static_cast<int>(h), cells_h - 2);
-  const int d0 = std::min(static_cast<int>(d), cells_d - 2);
-  double sum = 0;
-  for (int i = 0; i < 2; ++i)
-    for (int j = 0; j < 2; ++j)
-      for (const int phi : {0, MerlFile::cells_phi - 1}) {
-        const double weight = 0.5 * (i ? h - h0 : 1 - (h - h0)) * (j ? d - d0 : 1 - (d - d0));
-        const double cell = file.values[MerlFile::index(channel, h0 + i, d0 + j, phi)];
-        if (weight > 0 && cell < 0) return -1;
-        sum += weight * cell;
-      }
-  return sum;
+struct Direction {
+  double theta_s, phi;  // degrees; theta_s below 0 is the backward side in plane
+};
+
+std::vector<Direction> in_plane() {
+  std::vector<Direction> directions;
+  for (int theta_s = -largest_theta; theta_s <= largest_theta; theta_s += step_s_in_plane)
+    directions.push_back({double(theta_s), 0});
+  return directions;
+}
+
+// Numbers in [0, 1) that are the same with every standard library.
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : engine_(seed) {}
+  double operator()() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+std::vector<Direction> over_hemisphere(double theta_i, std::size_t count, Random& random) {
+  std::vector<double> below{0};  // the solid angle of rings below each theta_s
+  for (int theta_s = 0; theta_s <= largest_theta; theta_s += step_s)
+    below.push_back(below.back() + std::sin(std::max(theta_s, 1) * std::numbers::pi / 180));
+  const double share = theta_i == 0 ? 0 : 1;
+  const auto about_mirror = static_cast<std::size_t>(share * near_mirror * static_cast<double>(count));
+  const auto about_retro = static_cast<std::size_t>(share * near_retro * static_cast<double>(count));
+  std::vector<Direction> directions;
+  for (std::size_t k = 0; k < about_mirror + about_retro; ++k) {
+    const double offset = nearest * std::pow(farthest / nearest, random());
+    directions.push_back({theta_i, k < about_mirror ? offset : 180 - offset});
+  }
+  const std::size_t uniform = count - directions.size();
+  for (std::size_t k = 0; k < uniform; ++k) {
+    // Stratified: each ring has its part of the samples to one.
+    const double place = (static_cast<double>(k) + random()) / static_cast<double>(uniform) * below.back();
+    const auto ring = std::upper_bound(below.begin(), below.end(), place) - below.begin() - 1;
+    directions.push_back({static_cast<double>(ring * step_s), 360 * random() - 180});
+  }
+  return directions;
 }
 
 }  // namespace
 
-Measurement read_merl_measurement(std::istream& in, const std::string& source) {
+Measurement read_merl_measurement(std::istream& in, const std::string& source, const MeasurementOptions& options) {
+  if (options.angles) throw BadInput("{}: --angles {}: a MERL file holds no angles", source, options.angles->name);
   const MerlFile file = MerlFile::read(in, source);
-  Measurement measurement{.source = source, .channels = {"R", "G", "B"}, .samples = {}, .warnings = {}};
-  std::size_t invalid = 0;
-  for (int c = 0; c < 3; ++c)
-    for (int theta_i = 0; theta_i <= largest_theta; theta_i += step_i)
-      for (int theta_s = -largest_theta; theta_s <= largest_theta; theta_s += step_s) {
-        // Between the directions to the light, -theta_i, and to the detector, theta_s.
-        const double f =
-            MerlFile::scale(c) * in_plane(file, c, std::abs(theta_s - theta_i) / 2., std::abs(theta_s + theta_i) / 2.);
-        if (f < 0)
+  Measurement measurement{
+      .source = source, .channels = {"R", "G", "B"}, .samples = {}, .warnings = {}, .mean_of_exchanges = true};
+  Random random(options.merl_seed);
+  constexpr std::size_t incidences = largest_theta / step_i + 1;
+  std::size_t invalid = 0, taken = 0;
+  for (std::size_t i = 0; i < incidences; ++i) {
+    const double theta_i = static_cast<double>(i) * step_i;
+    const std::size_t count = options.merl_samples / incidences + (i < options.merl_samples % incidences);
+    for (const auto& [theta_s, phi] : options.merl_samples == 0 ? in_plane() : over_hemisphere(theta_i, count, random)) {
+      const HalfDifference at =
+          half_difference(SurfaceVector::from_degrees(theta_i, incident_azimuth(0)), SurfaceVector::from_degrees(theta_s, phi));
+      ++taken;
+      for (int c = 0; c < 3; ++c) {
+        const double brdf = file.between_centers(c, at);
+        if (std::isnan(brdf))
           ++invalid;
         else
           measurement.samples.push_back(
-              {.pair = {double(theta_i), double(theta_s), 0, 0}, .brdf = f, .channel = static_cast<std::size_t>(c)});
+              {.pair = {theta_i, theta_s, phi, 0}, .brdf = brdf, .channel = static_cast<std::size_t>(c)});
       }
-  if (invalid > 0) measurement.warnings.push_back(fmt::format("{} directions are marked invalid: set aside", invalid));
+    }
+  }
+  measurement.notes.push_back(
+      fmt::format("{} directions{}, in {} cells: theta_i 0 to {} by {}; ln f is interpolated between the centres of cells, each "
+                  "the mean over "
+                  "about a degree, and is the mean of f with light and view exchanged",
+                  taken,
+                  options.merl_samples == 0
+                      ? " in plane"
+                      : fmt::format(" over the hemisphere (--merl-samples), drawn with seed {} (--merl-seed), {:.0f} % of them "
+                                    "uniform in solid angle, the others near the mirror and retro directions",
+                                    options.merl_seed, 100 * (1 - near_mirror - near_retro)),
+                  MerlFile::plane, largest_theta, step_i));
+  if (invalid > 0)
+    measurement.warnings.push_back(
+        fmt::format("{} of {} values lie beside cells that are invalid or 0: set aside", invalid, 3 * taken));
   return measurement;
 }
 

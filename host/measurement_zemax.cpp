@@ -1,9 +1,12 @@
 // Zemax OpticStudio's tabular BSDF as a measurement.
 #include <cmath>
+#include <numbers>
 #include <span>
+#include <utility>
 
 #include "host/error.hpp"
 #include "host/measurement_text.hpp"
+#include "host/numbers.hpp"
 #include "host/surface_vector.hpp"
 #include "host/zemax_file.hpp"
 
@@ -19,12 +22,27 @@ bool repeats(const ZemaxFile& file, std::span<const double> of_incidence, std::s
          of_incidence[azimuth * file.radial.size() + radial] == of_incidence[radial];
 }
 
+void take_angles(ZemaxFile& file, const AngleUnit& unit, const std::string& source) {
+  for (auto* axis : {&file.incidence, &file.radial})
+    for (double& angle : *axis) angle = in_degrees(angle, unit.theta);
+  for (auto* axis : {&file.rotation, &file.azimuth})
+    for (double& angle : *axis) angle = in_degrees(angle, unit.phi);
+  for (const double theta_i : file.incidence)
+    if (!(theta_i < 90))
+      throw BadInput("{}: AngleOfIncidence {} degrees: must be below 90; --angles {} takes the file's angles so", source,
+                     shortest(theta_i), unit.name);
+}
+
 }  // namespace
 
-Measurement read_zemax_measurement(std::istream& in, const std::string& source) {
-  const ZemaxFile file = ZemaxFile::read(in, source);
+Measurement read_zemax_measurement(std::istream& in, const std::string& source, const MeasurementOptions& options) {
+  ZemaxFile file = ZemaxFile::read(in, source);
   Measurement measurement;
   measurement.source = source;
+  if (options.angles)
+    take_angles(file, *options.angles, source);
+  else if (std::string doubt = doubt_of_degrees(file.incidence, file.radial, file.azimuth, std::numbers::pi); !doubt.empty())
+    measurement.warnings.push_back(std::move(doubt));
   std::size_t below_horizon = 0, repeated = 0;
   for (const ZemaxBlock& block : file.blocks) {
     const std::size_t channel = measurement.channels.size();

@@ -166,5 +166,40 @@ TEST(Gradients, ManyCloseAnglesGiveWhatEachGivesAlone) {
   }
 }
 
+TEST(Gradients, OfTheMeanOfExchangesEqualDifferencesOfIt) {
+  const Device device = select_device(std::nullopt);
+  if (!device.has_fp64) GTEST_SKIP() << "the device has no fp64";
+  const Engine engine(device, Precision::float64, Precision::float32);
+  RandomMaterials random(34);
+  const std::vector<DirectionPair> pairs{{20, 60, 30, 0}, {70, -35, 10, 0}, {0, 80, 0, 0}};
+  const LogBrdfGradients gradients(engine, with_exchanges(pairs), 0.5);
+  for (int k = 0; k < 4; ++k) {
+    const Parameters p = random.plausible();
+    const LogBrdfValues values = gradients.evaluate({&p, 1}).mean_of_exchanges(1);
+    ASSERT_EQ(values.ln_f(0).size(), pairs.size());
+    for (std::size_t j = 0; j < pairs.size(); ++j) {
+      const auto ln_mean = [&](const Parameters& moved) {
+        const double theta_i = pairs[j].theta_i, theta_s = pairs[j].model_theta_s(), phi = pairs[j].model_phi();
+        return std::log(0.5 * (std::exp(reference_ln_f(moved, {}, {theta_i, theta_s, phi, 0}, 0.5)) +
+                               std::exp(reference_ln_f(moved, {}, {theta_s, theta_i, phi, 0}, 0.5))));
+      };
+      EXPECT_NEAR(values.ln_f(0)[j], ln_mean(p), tolerance_ln_f);
+      for (std::size_t c = 0; c < parameter_table.size(); ++c) {
+        const auto& row = parameter_table[c];
+        const double value = p.*row.member, h = 4e-3 * std::max(value, 0.05);
+        if (value - h < row.minimum) continue;
+        const auto moved_to = [&](double x) {
+          Parameters moved = p;
+          moved.*row.member = x;
+          return ln_mean(moved);
+        };
+        const double expected = slope(moved_to, value, h);
+        EXPECT_NEAR(values.by(0, c)[j], expected, tolerance_slope * (std::abs(expected) + 1 / std::max(value, 0.05)))
+            << row.name << " = " << value << " at pair " << j;
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace brdftab

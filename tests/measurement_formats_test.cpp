@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <functional>
 #include <numbers>
 #include <sstream>
 
@@ -18,7 +19,7 @@ constexpr double radian = std::numbers::pi / 180;
 template <class Read>
 Measurement read(Read reader, const std::string& text) {
   std::istringstream in(text);
-  return reader(in, "data");
+  return reader(in, "data", {});
 }
 
 template <class Read>
@@ -77,7 +78,9 @@ TEST(AltaMeasurement, RefusesOtherParametrisations) {
   EXPECT_NE(refusal(read_alta_measurement, "#DIM 3 1\n#PARAM_IN RUSIN_TH_TD_PD\n0 0 0 1\n").find("data:2: PARAM_IN RUSIN"),
             std::string::npos);
   EXPECT_NE(refusal(read_alta_measurement, "0 0 0 0 1\n").find("data:1: the header must give #DIM"), std::string::npos);
-  EXPECT_NE(refusal(read_alta_measurement, "#DIM 4 1\n0 0 1.6 0 1\n").find("theta_s = 91.67"), std::string::npos);
+  EXPECT_NE(refusal(read_alta_measurement, "#DIM 4 1\n0 0 1.6 0 1\n")
+                .find("theta_s = 1.6: must be from 0 to below pi/2 radians; where the file has degrees, --angles degrees"),
+            std::string::npos);
   EXPECT_NE(refusal(read_alta_measurement, "#DIM 4 1\n0 0 1 x 1\n").find("data:2: x"), std::string::npos);
 }
 
@@ -104,12 +107,17 @@ TEST(AstmMeasurement, TellsAGridsRepeatsFromReadings) {
   std::string grid = "VARS theta_i,phi_i,theta_s,phi_s,B\n";
   for (const double phi_s : {0., 90., 180., 270., 360.})
     grid += row(0, phi_s, 0.3) + row(20, phi_s, phi_s == 180 ? 0.5 : 0.2) + row(40, phi_s, 0.2);
-  const auto m = read(read_astm_measurement, grid);
+  const auto read_grid = [](std::istream& in, const std::string& source, const MeasurementOptions& options) {
+    Measurement measurement = read_astm_measurement(in, source, options);
+    set_aside_repeats_of_grid(measurement);
+    return measurement;
+  };
+  const auto m = read(read_grid, grid);
   EXPECT_EQ(m.samples.size(), 9u) << "one at the normal, four at each other theta_s";
   ASSERT_EQ(m.warnings.size(), 1u);
   EXPECT_NE(m.warnings[0].find("6 rows repeat"), std::string::npos) << m.warnings[0];
   // One that differs shows that the rows were read one by one.
-  EXPECT_EQ(read(read_astm_measurement, grid + row(20, 0, 0.21)).samples.size(), 16u);
+  EXPECT_EQ(read(read_grid, grid + row(20, 0, 0.21)).samples.size(), 16u);
 }
 
 TEST(ZemaxMeasurement, TurnsSpecularAnglesIntoDirections) {
@@ -144,36 +152,94 @@ TEST(ZemaxMeasurement, TurnsSpecularAnglesIntoDirections) {
   EXPECT_NE(refusal(read_zemax_measurement, "tensor_file").find("is no keyword"), std::string::npos);
 }
 
-// f = a + b theta_h + c theta_d in degrees; interpolation between cells of theta_h, uneven, is near but not exact.
-TEST(MerlMeasurement, ReadsHalfDifferenceAnglesInPlane) {
+using Merl = std::function<double(double theta_h, double theta_d, double phi_d)>;
+
+// A MERL file with f, a function of degrees, at the centres of cells; one of them is invalid.
+std::string merl(const Merl& f, int invalid_h, int invalid_d) {
   std::string bytes(12 + 3 * 1458000 * 8, '\0');
   const std::int32_t dimensions[] = {90, 90, 180};
   std::memcpy(bytes.data(), dimensions, 12);
-  const auto f = [](double theta_h, double theta_d) { return 0.1 + 0.01 * theta_h + 0.002 * theta_d; };
   for (std::size_t c = 0; c < 3; ++c)
     for (int h = 0; h < 90; ++h)
       for (int d = 0; d < 90; ++d)
         for (int phi = 0; phi < 180; ++phi) {
           const double scale = std::array{1., 1.15, 1.66}[c] / 1500;
-          // One invalid cell, about theta_h = 10, theta_d = 50 degrees.
-          const double value = h == 29 && d == 50 ? -1 : f((h + 0.5) * (h + 0.5) / 90, d + 0.5) / scale;
+          const double value = h == invalid_h && d == invalid_d ? -1 : f((h + 0.5) * (h + 0.5) / 90, d + 0.5, phi + 0.5) / scale;
           std::memcpy(bytes.data() + 12 + 8 * (c * 1458000 + static_cast<std::size_t>(phi + 180 * (d + 90 * h))), &value, 8);
         }
+  return bytes;
+}
+
+// Even in theta_h and theta_d as f is; polynomials of ln f between cells are near but not exact.
+TEST(MerlMeasurement, ReadsHalfDifferenceAnglesInPlane) {
+  const auto f = [](double theta_h, double theta_d, double) { return 0.1 + 1e-4 * theta_h * theta_h + 2e-5 * theta_d * theta_d; };
+  const std::string bytes = merl(f, 29, 50);  // about theta_h = 10, theta_d = 50 degrees
   const auto m = read(read_merl_measurement, bytes);
   EXPECT_EQ(m.channels.size(), 3u);
+  EXPECT_TRUE(m.mean_of_exchanges);
   ASSERT_EQ(m.warnings.size(), 1u);
   EXPECT_NE(m.warnings[0].find("invalid"), std::string::npos);
   int compared = 0;
   for (const auto& sample : m.samples) {
     const double theta_h = std::abs(sample.pair.theta_s - sample.pair.theta_i) / 2;
     const double theta_d = std::abs(sample.pair.theta_s + sample.pair.theta_i) / 2;
-    if (theta_d < 1 || theta_h < 0.1) continue;
-    EXPECT_NEAR(sample.brdf, f(theta_h, theta_d), 1e-4) << sample.pair.theta_i << " " << sample.pair.theta_s;
+    EXPECT_NEAR(sample.brdf / f(theta_h, theta_d, 0), 1, 1e-4) << sample.pair.theta_i << " " << sample.pair.theta_s;
     ++compared;
   }
   EXPECT_GT(compared, 2000);
   EXPECT_NE(refusal(read_merl_measurement, "short").find("no MERL file"), std::string::npos);
   EXPECT_NE(refusal(read_merl_measurement, bytes.substr(0, 1000)).find("fewer than"), std::string::npos);
+}
+
+TEST(MerlMeasurement, TakesDirectionsOfTheHemisphere) {
+  const auto f = [](double theta_h, double theta_d, double phi_d) {
+    return 0.1 + 1e-4 * theta_h * theta_h + 2e-5 * theta_d * theta_d * (1 + 0.5 * std::cos(2 * phi_d * radian));
+  };
+  const std::string bytes = merl(f, 90, 90);
+  const auto take = [&](std::uint64_t seed) {
+    std::istringstream in(bytes);
+    MeasurementOptions options;
+    options.merl_samples = 1800;
+    options.merl_seed = seed;
+    return read_merl_measurement(in, "data", options);
+  };
+  const Measurement m = take(1);
+  ASSERT_EQ(m.samples.size(), 3 * 1800u);
+  ASSERT_EQ(m.notes.size(), 1u);
+  for (const char* part : {"1800 directions over the hemisphere", "1458000 cells", "seed 1", "the mean over about a degree"})
+    EXPECT_NE(m.notes[0].find(part), std::string::npos) << m.notes[0];
+  EXPECT_TRUE(m.warnings.empty());
+  std::size_t polar_cap = 0, uniform = 0, about_mirror = 0, about_retro = 0;
+  for (const auto& [pair, brdf, sigma, channel] : m.samples) {
+    // By spherical trigonometry: cos 2 theta_d is the angle between the vectors, and theta_h is the median of their triangle.
+    const double i = pair.theta_i * radian, s = pair.theta_s * radian, phi = pair.phi * radian;
+    const double theta_d = 0.5 * std::acos(std::cos(i) * std::cos(s) - std::sin(i) * std::sin(s) * std::cos(phi));
+    const double theta_h = std::acos(std::min(1., (std::cos(i) + std::cos(s)) / (2 * std::cos(theta_d))));
+    double cosine = 0;
+    if (std::sin(theta_h) * std::sin(theta_d) > 1e-9)
+      cosine = (std::cos(theta_h) * std::cos(theta_d) - std::cos(i)) / (std::sin(theta_h) * std::sin(theta_d));
+    if (theta_h > 0.02) {
+      EXPECT_NEAR(brdf / f(theta_h / radian, theta_d / radian, std::acos(std::clamp(cosine, -1., 1.)) / radian), 1, 1e-3)
+          << pair.theta_i << " " << pair.theta_s << " " << pair.phi;
+    }
+    if (channel != 0 || pair.theta_i != 40) continue;
+    about_mirror += pair.theta_s == 40 && std::abs(pair.phi) < 33;
+    about_retro += pair.theta_s == 40 && std::abs(pair.phi) > 147;
+    uniform += pair.theta_s != 40;
+    polar_cap += pair.theta_s < 40;
+  }
+  // Of 200 at each incidence: 40 near the mirror and 20 near the retro direction, with few of the others beside them.
+  EXPECT_NEAR(static_cast<double>(about_mirror), 42, 3);
+  EXPECT_NEAR(static_cast<double>(about_retro), 22, 3);
+  // Rings below 37.5 degrees of those up to 82.5: (1 - cos 37.5)/(1 - cos 82.5).
+  EXPECT_NEAR(static_cast<double>(polar_cap) / static_cast<double>(uniform + 9), 0.238, 0.03);
+  const auto directions = [](const Measurement& measurement) {
+    std::vector<double> phi;
+    for (const auto& sample : measurement.samples) phi.push_back(sample.pair.phi);
+    return phi;
+  };
+  EXPECT_EQ(directions(m), directions(take(1)));
+  EXPECT_NE(directions(m), directions(take(2)));
 }
 
 }  // namespace

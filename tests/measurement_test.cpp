@@ -52,7 +52,7 @@ TEST(Measurement, CountsWhatItSetsAside) {
                              "10,20,0,0.2,a\n10,20,0,0.1,b\n");
   EXPECT_EQ(m.samples.size(), 4u);
   EXPECT_EQ(m.channels, (std::vector<std::string>{"a", "b"}));
-  ASSERT_EQ(m.warnings.size(), 4u) << joined(m.warnings);
+  ASSERT_EQ(m.warnings.size(), 5u) << joined(m.warnings);
   EXPECT_NE(m.warnings[0].find("1 of 8 samples are nan"), std::string::npos);
   EXPECT_NE(m.warnings[1].find("1 of 8 samples are zero"), std::string::npos);
   EXPECT_NE(m.warnings[2].find("2 of 8 samples are negative"), std::string::npos);

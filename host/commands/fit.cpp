@@ -5,6 +5,7 @@
 #include <map>
 
 #include "host/commands/command.hpp"
+#include "host/commands/measurement_option.hpp"
 #include "host/fit_pictures.hpp"
 #include "host/fit_summary.hpp"
 #include "host/numbers.hpp"
@@ -32,7 +33,9 @@ struct Options {
   std::vector<std::string> bounds;
   std::vector<std::string> model;
   std::optional<std::string> device;
-  MeasurementOptions measurement;
+  MeasurementOption reading;
+  std::size_t merl_samples = 900;
+  std::uint64_t merl_seed = 1;
   FitOptions fit;
   bool force = false;
 };
@@ -51,10 +54,7 @@ void choose_variant(ModelSwitches& switches, const std::string& text) {
 }
 
 std::size_t channel_index(const Measurement& measurement, const std::string& name) {
-  for (std::size_t c = 0; c < measurement.channels.size(); ++c)
-    if (measurement.channels[c] == name ||
-        (measurement.wavelength_nm(c) && parse_number(name) && *measurement.wavelength_nm(c) == *parse_number(name)))
-      return c;
+  if (const auto index = measurement.find_channel(name)) return *index;
   throw BadInput("--channel {}: {} has {}", excerpt(name), measurement.source, fmt::join(measurement.channels, ", "));
 }
 
@@ -68,7 +68,8 @@ Measurement by_wavelength(const Measurement& measurement) {
                      .channels = {},
                      .samples = {},
                      .warnings = {},
-                     .incidence_width = measurement.incidence_width};
+                     .incidence_width = measurement.incidence_width,
+                     .mean_of_exchanges = measurement.mean_of_exchanges};
   for (const auto& [wavelength, c] : order) {
     for (MeasuredSample sample : measurement.channel(c).samples) {
       sample.channel = sorted.channels.size();
@@ -85,6 +86,12 @@ Measurement chosen_channels(const Options& options, const Measurement& measureme
       if (!measurement.wavelength_nm(c))
         throw BadInput("--wavelengths all: the channel '{}' of {} is no wavelength in nm", excerpt(measurement.channels[c]),
                        measurement.source);
+    // A material with such bands is a wrong number that outlives its warning.
+    for (std::size_t c = 0; c < measurement.channels.size(); ++c)
+      if (const double nm = *measurement.wavelength_nm(c);
+          !options.reading.options().wavelength_unit && !is_plausible_wavelength(nm))
+        throw BadInput("--wavelengths all: the channel '{}' of {} would be {} nm; --wavelength-unit nm, um or m says its unit",
+                       excerpt(measurement.channels[c]), measurement.source, shortest(nm));
     return by_wavelength(measurement);
   }
   if (!options.channel.empty()) return measurement.channel(channel_index(measurement, options.channel));
@@ -122,7 +129,11 @@ ExitStatus run(const Options& given, const CommonOptions& common) {
   options.fit.share_geometry = options.share == "geometry";
   std::optional<PartialFile> file;
   file.emplace(options.output, options.force);
-  const Measurement whole = read_measurement(options.data, options.measurement);
+  MeasurementOptions measurement_options = options.reading.options();
+  measurement_options.merl_samples = options.merl_samples;
+  measurement_options.merl_seed = options.merl_seed;
+  const Measurement whole = read_measurement(options.data, measurement_options);
+  for (const auto& note : whole.notes) say(common, fmt::format("{}: {}", whole.source, note));
   for (const auto& warning : whole.warnings) say(common, fmt::format("warning: {}: {}", whole.source, warning));
   const Measurement measurement = chosen_channels(options, whole);
   const Device device = select_device(options.device);
@@ -160,10 +171,10 @@ ExitStatus run(const Options& given, const CommonOptions& common) {
 std::function<ExitStatus()> fit_command(CLI::App& parser, const CommonOptions& common) {
   auto options = std::make_shared<Options>();
   parser
-      .add_option(
-          "DATA", options->data,
-          "Measurement: CSV with theta_i_deg, theta_s_deg, phi_deg or phi_s_deg, brdf_per_sr and optionally channel or "
-          "wavelength_nm and sigma; or ALTA text (.alta, .dat), ASTM text (.astm), Zemax tabular BSDF (.bsdf), MERL (.binary)")
+      .add_option("DATA", options->data,
+                  "Measurement: CSV with theta_i_deg, theta_s_deg, phi_deg or phi_s_deg, brdf_per_sr and optionally channel, "
+                  "wavelength_nm or wavelength_um, and sigma; or ALTA text (.alta, .dat), ASTM text (.astm), Zemax tabular BSDF "
+                  "(.bsdf), MERL (.binary)")
       ->required();
   parser.add_option("-o,--output", options->output, "Material file to write (TOML)")->required();
   parser.add_option("--channel", options->channel, "The channel to fit, where the measurement has several");
@@ -193,15 +204,12 @@ std::function<ExitStatus()> fit_command(CLI::App& parser, const CommonOptions& c
   parser.add_option("--name", options->name, "Of the material; default: the file's");
   parser.add_option("--description", options->description, "Of the material, for its file");
   parser.add_option("--source", options->source, "Of the measurement, for the material file");
-  parser.add_option("--format", options->measurement.format, "Of the measurement; default: by its extension")
-      ->check(CLI::IsMember({"csv", "alta", "astm", "zemax", "merl"}));
-  parser.add_option("--scale", options->measurement.scale, "Factor from the file's values to f in 1/sr")
-      ->check(CLI::PositiveNumber);
+  options->reading.add(parser);
   parser
-      .add_option("--incidence-width", options->measurement.incidence_width,
-                  "Samples whose theta_i lie closer together are one angle of incidence, degrees; default 0.25; 0: equal numbers")
-      ->check(CLI::Range(0., 90.));
-  parser.add_flag("--flip-azimuth", options->measurement.flip_azimuth, "The file counts azimuth from the backward side");
+      .add_option("--merl-samples", options->merl_samples,
+                  "Directions over the hemisphere that are taken of a MERL file; default 900")
+      ->check(CLI::Range(18, 100000));
+  parser.add_option("--merl-seed", options->merl_seed, "Of the choice of those directions; default 1");
   parser.add_flag("--force", options->force, "Overwrite an existing material file");
   add_device_option(parser, options->device);
   return [options, &common] { return run(*options, common); };

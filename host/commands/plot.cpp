@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "host/commands/command.hpp"
+#include "host/commands/measurement_option.hpp"
 #include "host/numbers.hpp"
 #include "host/partial_file.hpp"
 #include "host/pictures/picture_file.hpp"
@@ -20,7 +21,7 @@ struct Options {
   std::optional<double> wavelength_nm;
   std::string data;
   std::string channel;
-  MeasurementOptions measurement;
+  MeasurementOption reading;
   int width = 0;
   std::optional<std::string> device;
   bool force = false;
@@ -33,10 +34,13 @@ const PlotRow& row_of(const std::string& kind) {
 Measurement read_data(const std::string& file, const std::string& channel, const MeasurementOptions& options) {
   const Measurement all = read_measurement(file, options);
   if (channel.empty() && all.channels.size() == 1) return all;
-  const auto at = std::find(all.channels.begin(), all.channels.end(), channel);
-  if (at == all.channels.end())
-    throw BadInput("{}: has the channels {}: choose one by --channel", file, fmt::join(all.channels, ", "));
-  return all.channel(static_cast<std::size_t>(at - all.channels.begin()));
+  const auto index = all.find_channel(channel);
+  if (!index) throw BadInput("{}: has the channels {}: choose one by --channel", file, fmt::join(all.channels, ", "));
+  Measurement one = all.channel(*index);
+  // What was said of the file holds for its channels.
+  one.notes = all.notes;
+  one.warnings = all.warnings;
+  return one;
 }
 
 ExitStatus run(const Options& options, const CommonOptions& common) {
@@ -52,14 +56,9 @@ ExitStatus run(const Options& options, const CommonOptions& common) {
                          : options.polarization == "p" ? Polarization::p
                                                        : Polarization::unpolarized;
   drawn.wavelength_nm = options.wavelength_nm;
-  const std::pair<const char*, bool> of_data[] = {
-      {"--channel", !options.channel.empty()},
-      {"--format", !options.measurement.format.empty()},
-      {"--scale", options.measurement.scale != 1},
-      {"--flip-azimuth", options.measurement.flip_azimuth},
-      {"--incidence-width", options.measurement.incidence_width != MeasurementOptions{}.incidence_width}};
-  for (const auto& [option, given] : of_data)
-    if (given && options.data.empty()) throw BadInput("{}: is of --data, which is not given", option);
+  std::vector<std::string> of_data = options.reading.given();
+  if (!options.channel.empty()) of_data.emplace_back("--channel");
+  if (options.data.empty() && !of_data.empty()) throw BadInput("{}: is of --data, which is not given", of_data.front());
   std::vector<Subject> subjects;
   for (const auto& subject : options.subjects) subjects.push_back(Subject::open(subject));
   for (const Subject& subject : subjects) {
@@ -73,7 +72,8 @@ ExitStatus run(const Options& options, const CommonOptions& common) {
       for (const auto& fault : subject.table().faults) say(common, fmt::format("{}: warning: {}", subject.file(), fault));
   }
   if (!options.data.empty()) {
-    drawn.data = read_data(options.data, options.channel, options.measurement);
+    drawn.data = read_data(options.data, options.channel, options.reading.options());
+    for (const auto& note : drawn.data->notes) say(common, fmt::format("{}: {}", options.data, note));
     for (const auto& warning : drawn.data->warnings) say(common, fmt::format("{}: warning: {}", options.data, warning));
   }
   std::optional<Engine> engine;
@@ -107,17 +107,7 @@ std::function<ExitStatus()> plot_command(CLI::App& parser, const CommonOptions& 
   parser.add_option("--wavelength", options->wavelength_nm, "Band of a material with bands, nm");
   parser.add_option("--data", options->data, "Measured BRDF, drawn as points in the plane of incidence; read as by fit");
   parser.add_option("--channel", options->channel, "Channel of --data");
-  parser.add_option("--format", options->measurement.format, "Of --data; default: by its extension")
-      ->check(CLI::IsMember({"csv", "alta", "astm", "zemax", "merl"}));
-  parser.add_option("--scale", options->measurement.scale, "Factor from the values of --data to f in 1/sr")
-      ->check(CLI::PositiveNumber);
-  parser
-      .add_option(
-          "--incidence-width", options->measurement.incidence_width,
-          "Samples of --data whose theta_i lie closer together are one angle of incidence, degrees; default 0.25; 0: equal "
-          "numbers")
-      ->check(CLI::Range(0., 90.));
-  parser.add_flag("--flip-azimuth", options->measurement.flip_azimuth, "--data counts azimuth from the backward side");
+  options->reading.add(parser);
   parser.add_option("--width", options->width, "Width of a PNG in pixels; default: 2.5 for each unit of the SVG")
       ->check(CLI::Range(100, 20000));
   parser.add_flag("--force", options->force, "Overwrite an existing output");

@@ -72,7 +72,7 @@ class AstmFormat : public ExportFormat {
     for (std::string line; std::getline(in, line) && !line.starts_with("VARS");)
       if (line.starts_with(comment)) description.read(std::string_view(line).substr(comment.size()));
     in.seekg(0);
-    const Measurement rows = read_astm_rows(in, file.string());
+    const Measurement rows = read_astm_measurement(in, file.string());
     const std::size_t channels = rows.channels.size();
     std::vector<std::vector<double>> columns(4 + channels);
     std::vector<double> wavelengths;

@@ -26,25 +26,11 @@ double theta_h(int cell, Registration registration) {
   return i * i / MerlFile::cells_h;
 }
 
-struct HalfDifference {
-  double theta_h, theta_d, phi_d;  // degrees, phi_d in (-180, 180]
-};
-
 // To the light and to the viewer, from the half-way vector, at azimuth 0, and the difference vector in the frame about it: x'
 // lies in its plane, away from the normal's side, y' is y.
 std::pair<SurfaceVector, SurfaceVector> vectors(const SurfaceVector& h, const SurfaceVector& d) {
   const SurfaceVector across{d.x * h.z, d.y, -d.x * h.x};
   return {h * d.z + across, h * d.z + across * -1};
-}
-
-HalfDifference half_difference(const SurfaceVector& to_light, const SurfaceVector& to_viewer) {
-  const SurfaceVector h = (to_light + to_viewer).normalized();
-  const double sine = std::hypot(h.x, h.y);
-  const double c = sine > 0 ? h.x / sine : 1, s = sine > 0 ? h.y / sine : 0;
-  // The light, turned by -phi_h about the normal and then by -theta_h about y.
-  const double x = c * to_light.x + s * to_light.y;
-  const SurfaceVector d{x * h.z - to_light.z * sine, c * to_light.y - s * to_light.x, x * sine + to_light.z * h.z};
-  return {h.theta(), d.theta(), d.phi()};
 }
 
 struct MerlValues {
