@@ -46,11 +46,10 @@ class Random {
 
 std::vector<Direction> over_hemisphere(double theta_i, std::size_t count, Random& random) {
   std::vector<double> below{0};  // the solid angle of rings below each theta_s
-  for (int theta_s = 0; theta_s <= largest_theta; theta_s += step_s)
-    below.push_back(below.back() + std::sin(std::max(theta_s, 1) * std::numbers::pi / 180));
-  const double share = theta_i == 0 ? 0 : 1;
-  const auto about_mirror = static_cast<std::size_t>(share * near_mirror * static_cast<double>(count));
-  const auto about_retro = static_cast<std::size_t>(share * near_retro * static_cast<double>(count));
+  for (int theta_s = step_s; theta_s <= largest_theta; theta_s += step_s)
+    below.push_back(below.back() + std::sin(theta_s * std::numbers::pi / 180));
+  const auto about_mirror = static_cast<std::size_t>(near_mirror * static_cast<double>(count));
+  const auto about_retro = static_cast<std::size_t>(near_retro * static_cast<double>(count));
   std::vector<Direction> directions;
   for (std::size_t k = 0; k < about_mirror + about_retro; ++k) {
     const double offset = nearest * std::pow(farthest / nearest, random());
@@ -61,7 +60,7 @@ std::vector<Direction> over_hemisphere(double theta_i, std::size_t count, Random
     // Stratified: each ring has its part of the samples to one.
     const double place = (static_cast<double>(k) + random()) / static_cast<double>(uniform) * below.back();
     const auto ring = std::upper_bound(below.begin(), below.end(), place) - below.begin() - 1;
-    directions.push_back({static_cast<double>(ring * step_s), 360 * random() - 180});
+    directions.push_back({static_cast<double>((ring + 1) * step_s), 360 * random() - 180});
   }
   return directions;
 }
@@ -74,12 +73,15 @@ Measurement read_merl_measurement(std::istream& in, const std::string& source, c
   Measurement measurement{
       .source = source, .channels = {"R", "G", "B"}, .samples = {}, .warnings = {}, .mean_of_exchanges = true};
   Random random(options.merl_seed);
-  constexpr std::size_t incidences = largest_theta / step_i + 1;
-  std::size_t invalid = 0, taken = 0;
-  for (std::size_t i = 0; i < incidences; ++i) {
-    const double theta_i = static_cast<double>(i) * step_i;
-    const std::size_t count = options.merl_samples / incidences + (i < options.merl_samples % incidences);
-    for (const auto& [theta_s, phi] : options.merl_samples == 0 ? in_plane() : over_hemisphere(theta_i, count, random)) {
+  const bool is_in_plane = options.merl_samples == 0;
+  // Over the hemisphere without the normal, where the azimuth of incidence, which V_m takes, is that of no cell.
+  const int first = is_in_plane ? 0 : step_i;
+  constexpr std::size_t incidences = largest_theta / step_i;
+  std::size_t invalid = 0, taken = 0, remainder = options.merl_samples % incidences;
+  for (int theta_i = first; theta_i <= largest_theta; theta_i += step_i) {
+    const std::size_t count = options.merl_samples / incidences + (remainder > 0 ? 1 : 0);
+    remainder -= remainder > 0 ? 1 : 0;
+    for (const auto& [theta_s, phi] : is_in_plane ? in_plane() : over_hemisphere(theta_i, count, random)) {
       const HalfDifference at =
           half_difference(SurfaceVector::from_degrees(theta_i, incident_azimuth(0)), SurfaceVector::from_degrees(theta_s, phi));
       ++taken;
@@ -89,21 +91,20 @@ Measurement read_merl_measurement(std::istream& in, const std::string& source, c
           ++invalid;
         else
           measurement.samples.push_back(
-              {.pair = {theta_i, theta_s, phi, 0}, .brdf = brdf, .channel = static_cast<std::size_t>(c)});
+              {.pair = {double(theta_i), theta_s, phi, 0}, .brdf = brdf, .channel = static_cast<std::size_t>(c)});
       }
     }
   }
-  measurement.notes.push_back(
-      fmt::format("{} directions{}, in {} cells: theta_i 0 to {} by {}; ln f is interpolated between the centres of cells, each "
-                  "the mean over "
-                  "about a degree, and is the mean of f with light and view exchanged",
-                  taken,
-                  options.merl_samples == 0
-                      ? " in plane"
-                      : fmt::format(" over the hemisphere (--merl-samples), drawn with seed {} (--merl-seed), {:.0f} % of them "
-                                    "uniform in solid angle, the others near the mirror and retro directions",
-                                    options.merl_seed, 100 * (1 - near_mirror - near_retro)),
-                  MerlFile::plane, largest_theta, step_i));
+  measurement.notes.push_back(fmt::format(
+      "{} directions{}, in {} cells: theta_i {} to {} by {}; ln f is interpolated between the centres of cells, each the mean "
+      "over about a degree; f is the mean of both orders of light and view, and so is a model's beside it: f of one order is not "
+      "in the file, and differs from it the less with --model normalization=reciprocal",
+      taken,
+      is_in_plane ? " in plane"
+                  : fmt::format(" over the hemisphere (--merl-samples), drawn with seed {} (--merl-seed), {:.0f} % of them "
+                                "uniform in solid angle, the others near the mirror and retro directions",
+                                options.merl_seed, 100 * (1 - near_mirror - near_retro)),
+      MerlFile::plane, first, largest_theta, step_i));
   if (invalid > 0)
     measurement.warnings.push_back(
         fmt::format("{} of {} values lie beside cells that are invalid or 0: set aside", invalid, 3 * taken));

@@ -35,6 +35,18 @@ class MerlFit(InFolder):
         _, other = self.fit("--merl-samples", "450", "--merl-seed", "2", *fixed)
         self.assertNotEqual(other, fitted)
 
+    def test_shadowing_comes_back(self):
+        """V_m of the light's side and of the view's differ, and the azimuth that it takes has no meaning at the normal."""
+        truth = MATERIALS / "brown-vinyl.toml"
+        self.assertEqual(run("generate", truth, "--format", "merl", "-o", self.file, "-q").returncode, DONE)
+        parameters = tomllib.loads(truth.read_text())["parameters"]
+        free = ("sigma_bulk", "w_a", "gamma")
+        fixed = [word for name, value in parameters.items() if name not in free for word in ("--fix", f"{name}={value}")]
+        result, fitted = self.fit("--merl-samples", "400", *fixed)
+        self.assertLess(float(re.search(r"each incidence alike: (\S+)", result.stdout).group(1)), 2e-3)
+        for name in free:
+            self.assertAlmostEqual(fitted[name] / parameters[name], 1, delta=2e-3, msg=name)
+
     def test_pictures_show_the_plane_of_incidence(self):
         material = MATERIALS / "brown-vinyl.toml"
         self.assertEqual(run("generate", material, "--format", "merl", "-o", self.file, "-q").returncode, DONE)

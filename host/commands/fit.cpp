@@ -34,7 +34,7 @@ struct Options {
   std::vector<std::string> model;
   std::optional<std::string> device;
   MeasurementOption reading;
-  std::size_t merl_samples = 900;
+  std::size_t merl_samples = 800;
   std::uint64_t merl_seed = 1;
   FitOptions fit;
   bool force = false;
@@ -207,8 +207,8 @@ std::function<ExitStatus()> fit_command(CLI::App& parser, const CommonOptions& c
   options->reading.add(parser);
   parser
       .add_option("--merl-samples", options->merl_samples,
-                  "Directions over the hemisphere that are taken of a MERL file; default 900")
-      ->check(CLI::Range(18, 100000));
+                  "Directions over the hemisphere that are taken of a MERL file; default 800")
+      ->check(CLI::Range(16, 100000));
   parser.add_option("--merl-seed", options->merl_seed, "Of the choice of those directions; default 1");
   parser.add_flag("--force", options->force, "Overwrite an existing material file");
   add_device_option(parser, options->device);
