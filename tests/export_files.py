@@ -34,8 +34,10 @@ def csv(file, change):
     bands = numpy.unique(rows[:, 0], return_inverse=True)[1] if names[0] == "wavelength_nm" else numpy.zeros(len(rows), int)
     for column in range(first, first + 3):
         for band in set(bands):
-            rows[bands == band, column] = change(theta_i[bands == band], theta_s[bands == band], band, rows[bands == band, column])
-    file.write_text("\n".join(lines[:start + 1] + [",".join([*map(repr, map(float, row[:first])), *text(row[first:])]) for row in rows]) + "\n")
+            at = bands == band
+            rows[at, column] = change(theta_i[at], theta_s[at], band, rows[at, column])
+    rows = [",".join([*map(repr, map(float, row[:first])), *text(row[first:])]) for row in rows]
+    file.write_text("\n".join(lines[:start + 1] + rows) + "\n")
 
 
 def astm(file, change):

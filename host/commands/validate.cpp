@@ -180,9 +180,9 @@ std::function<ExitStatus()> validate_command(CLI::App& parser, const CommonOptio
   parser
       .add_option("--tolerance", options->validate.tolerance,
                   "Largest relative error allowed; default: what the table promises (1e-6 in float32, 1e-12 in float64, and the "
-                  "error of rounding that its attributes tell of). Of a simulator's file: the share of f by which it may be off beyond "
-                  "what its format reaches at its resolution: in the median, at 95 % of directions and in the mean of each region, "
-                  "and in each value; default 0.001")
+                  "error of rounding that its attributes tell of). Of a simulator's file: the share of f by which it may be off "
+                  "beyond what its format reaches at its resolution: in the median, at 95 % of directions and in the mean of "
+                  "each region, and in each value; default 0.001")
       ->check(CLI::PositiveNumber);
   parser.add_flag("--json", options->json, "As JSON");
   add_device_option(parser, options->device);

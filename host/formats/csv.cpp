@@ -24,7 +24,7 @@ constexpr std::string_view columns = "theta_i_deg,phi_i_deg,theta_s_deg,phi_s_de
 // The columns read, angles first; the last two may be absent.
 constexpr std::array<std::string_view, 7> names{"theta_i_deg", "phi_i_deg", "theta_s_deg", "phi_s_deg",
                                                 "brdf",        "brdf_s",    "brdf_p"};
-constexpr std::size_t angles = 4, needed = 5;
+constexpr std::size_t angle_columns = 4, needed = 5;
 
 // Significant digits of a number as it is written.
 int digits_of(std::string_view number) {
@@ -111,24 +111,25 @@ class CsvFormat : public ExportFormat {
       for (std::size_t k = 0; k < wanted.size(); ++k) {
         const std::string_view cell = (*cells)[wanted[k]];
         bands.back()[k].push_back(number(cell, csv));
-        if (k >= angles) digits = std::max(digits, digits_of(cell));
+        if (k >= angle_columns) digits = std::max(digits, digits_of(cell));
       }
     }
     if (bands.empty()) throw BadInput("{}: has no rows", csv.where());
     const auto samples = [&](std::size_t column) {
       std::vector<GridSamples> result;
       for (const auto& band : bands) {
-        std::vector<std::vector<double>> rows(band.begin(), band.begin() + angles);
+        std::vector<std::vector<double>> rows(band.begin(), band.begin() + angle_columns);
         rows.push_back(band[column]);
         result.push_back(GridSamples::from_rows(rows, file.string()));
       }
       return result;
     };
-    auto table = std::make_unique<GridTable>(samples(angles), std::move(wavelengths), std::move(description.material_text));
+    auto table =
+        std::make_unique<GridTable>(samples(angle_columns), std::move(wavelengths), std::move(description.material_text));
     table->set_digits(digits);
     if (is_polarized) {
-      table->add_polarization(Polarization::s, samples(angles + 1));
-      table->add_polarization(Polarization::p, samples(angles + 2));
+      table->add_polarization(Polarization::s, samples(angle_columns + 1));
+      table->add_polarization(Polarization::p, samples(angle_columns + 2));
     }
     return table;
   }
