@@ -67,14 +67,18 @@ std::vector<DirectionPair> with_exchanges(std::vector<DirectionPair> pairs) {
 
 LogBrdfGradients::LogBrdfGradients(const Engine& engine, std::span<const DirectionPair> pairs, double share_s,
                                    const ModelSwitches& switches)
-    : engine_(engine), pairs_(pairs.size()), share_s_(share_s), switches_(switches) {
+    : LogBrdfGradients(engine, pairs, std::vector<double>(pairs.size(), share_s), switches) {}
+
+LogBrdfGradients::LogBrdfGradients(const Engine& engine, std::span<const DirectionPair> pairs, std::span<const double> share_s,
+                                   const ModelSwitches& switches)
+    : engine_(engine), pairs_(pairs.size()), switches_(switches) {
   if (switches.normalization == Normalization::closed_form || switches.autocovariance != Autocovariance::lorentzian)
     throw BadInput(
         "a fit takes normalization = hemispherical or reciprocal and autocovariance = lorentzian: the others have no "
         "derivatives");
   const std::size_t together = group * engine.directions_width();
   padded_ = (pairs.size() + together - 1) / together * together;
-  std::vector<double> theta_i(padded_), theta_s(padded_), phi(padded_), angles;
+  std::vector<double> theta_i(padded_), theta_s(padded_), phi(padded_), shares(padded_), angles;
   std::vector<int> incidence(padded_), scatter(padded_);
   std::map<double, int> known;
   const auto index_of = [&](double theta) {
@@ -84,6 +88,7 @@ LogBrdfGradients::LogBrdfGradients(const Engine& engine, std::span<const Directi
   };
   for (std::size_t k = 0; k < padded_; ++k) {
     const DirectionPair& pair = pairs[std::min(k, pairs.size() - 1)];
+    shares[k] = share_s[std::min(k, pairs.size() - 1)];
     theta_i[k] = pair.theta_i;
     theta_s[k] = pair.model_theta_s();
     phi[k] = pair.model_phi();
@@ -104,6 +109,7 @@ LogBrdfGradients::LogBrdfGradients(const Engine& engine, std::span<const Directi
   theta_i_ = engine.upload_polar_angles(theta_i);
   theta_s_ = engine.upload_polar_angles(theta_s);
   phi_ = engine.upload(phi);
+  share_s_ = engine.upload(shares);
   incidence_ = engine.upload(incidence);
   scatter_ = engine.upload(scatter);
 }
@@ -149,11 +155,8 @@ LogBrdfValues LogBrdfGradients::evaluate(std::span<const Parameters> materials) 
     }
 
     cl::Kernel gradients = engine_.gradient_kernel("log_brdf_gradients");
-    set_arguments(gradients, theta_i_, theta_s_, phi_, incidence_, scatter_, n, static_cast<cl_int>(angles_));
-    Engine::set_number(gradients, 7, engine_.working(), share_s_);
-    gradients.setArg(8, on_device);
-    gradients.setArg(9, out);
-    gradients.setArg(10, variant);
+    set_arguments(gradients, theta_i_, theta_s_, phi_, incidence_, scatter_, n, static_cast<cl_int>(angles_), share_s_, on_device,
+                  out, variant);
     engine_.queue().enqueueNDRangeKernel(gradients, cl::NullRange, {padded_ / engine_.directions_width(), part.size()},
                                          {group, 1});
     const auto numbers = engine_.download(out, part.size() * rows * padded_);

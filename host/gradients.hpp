@@ -43,8 +43,10 @@ std::vector<DirectionPair> with_exchanges(std::vector<DirectionPair> pairs);
 /// NormalizationNodes has for the angles.
 class LogBrdfGradients {
  public:
-  /// `share_s`: the part of s-polarised light; 1/2: unpolarised. The engine must outlive this. Throws BadInput for a
-  /// variant of the model that has no derivatives.
+  /// `share_s`: the part of s-polarised light, of each pair or of all; 1/2: unpolarised. The engine must outlive this.
+  /// Throws BadInput for a variant of the model that has no derivatives.
+  LogBrdfGradients(const Engine& engine, std::span<const DirectionPair> pairs, std::span<const double> share_s,
+                   const ModelSwitches& switches = {});
   LogBrdfGradients(const Engine& engine, std::span<const DirectionPair> pairs, double share_s,
                    const ModelSwitches& switches = {});
 
@@ -57,9 +59,8 @@ class LogBrdfGradients {
   std::size_t padded_;
   std::size_t angles_, nodes_;
   bool interpolates_;
-  double share_s_;
   ModelSwitches switches_;
-  cl::Buffer nodes_theta_, node_first_, node_count_, node_share_, theta_i_, theta_s_, phi_, incidence_, scatter_;
+  cl::Buffer nodes_theta_, node_first_, node_count_, node_share_, theta_i_, theta_s_, phi_, share_s_, incidence_, scatter_;
 };
 
 }  // namespace brdftab

@@ -36,10 +36,12 @@ __kernel void interpolate_normalizations(__global const scalar *restrict at_node
 }
 
 // ln f and d ln f/d parameter of each pair: out[material][1 + PARAMETER_COUNT][pairs]. Angles in degrees; incidence, scatter:
-// the indices of theta_i and theta_s among the angles of n. Global size: pairs / BRDFTAB_WIDTH x materials.
+// the indices of theta_i and theta_s among the angles of n; share_s: of each pair, see model_gradient.h. Global size:
+// pairs / BRDFTAB_WIDTH x materials.
 __kernel void log_brdf_gradients(__global const scalar *restrict theta_i, __global const scalar *restrict theta_s,
                                  __global const scalar *restrict phi, __global const int *restrict incidence,
-                                 __global const int *restrict scatter, __global const scalar *restrict n, int angles, scalar share_s,
+                                 __global const int *restrict scatter, __global const scalar *restrict n, int angles,
+                                 __global const scalar *restrict share_s,
                                  __global const GradientConstants *restrict materials, __global scalar *restrict out,
                                  ModelVariant variant)
 {
@@ -59,7 +61,7 @@ __kernel void log_brdf_gradients(__global const scalar *restrict theta_i, __glob
     pair_n[c] = pair_normalization_gradient(c % N_COMPONENTS, LOAD(0, lane_i), LOAD(0, lane_s), variant);
   }
   const LogBrdfGradient f = log_brdf_gradient(polar_gradient(LOAD(k, theta_i), g, variant), polar_gradient(LOAD(k, theta_s), g, variant),
-                                              azimuth_factors(LOAD(k, phi)), pair_n, share_s, g, variant);
+                                              azimuth_factors(LOAD(k, phi)), pair_n, LOAD(k, share_s), g, variant);
   const size_t first = material * (1 + PARAMETER_COUNT) * vectors + k;
   STORE(f.ln_f, first, out);
   for (int c = 0; c < PARAMETER_COUNT; ++c)

@@ -40,10 +40,10 @@ FN real pair_normalization_gradient(int component, real n_i, real n_s, ModelVari
 
 // n: [LOBE_COUNT][N_COMPONENTS] between the two directions; share_s: the part of s-polarised light, 1/2 where it is unpolarised.
 FN LogBrdfGradient log_brdf_gradient(PolarGradient i, PolarGradient s, AzimuthFactors azimuth, const real *n,
-                                     scalar share_s, GradientConstants constants, ModelVariant variant)
+                                     real share_s, GradientConstants constants, ModelVariant variant)
 {
   const MaterialConstants m = constants.m;
-  const scalar share_p = SCALAR(1.0) - share_s;
+  const real share_p = REAL(1.0) - share_s;
   const LobeDistance distance = lobe_distance(i.theta, s.theta, i.direction.sine, s.direction.sine);
   const PolarizedReflectances r = polarized_reflectances(i.fresnel, s.fresnel);
   const real g = share_s * r.s.surface + share_p * r.p.surface;

@@ -108,17 +108,21 @@ TEST(Gradients, OnTheDeviceEqualTheSameSourceInCpp) {
   const Engine engine(device, Precision::float64, Precision::float32);
   RandomMaterials random(33);
   std::vector<DirectionPair> pairs;
-  for (int k = 0; k < 67; ++k) pairs.push_back({10. * (k % 9), random.uniform(-85, 85), k % 2 ? 0 : random.phi(), 0});
+  std::vector<double> share_s;
+  for (int k = 0; k < 67; ++k) {
+    pairs.push_back({10. * (k % 9), random.uniform(-85, 85), k % 2 ? 0 : random.phi(), 0});
+    share_s.push_back(0.5 * (k % 3));
+  }
   std::vector<Parameters> materials;
   for (int k = 0; k < 5; ++k) materials.push_back(random.plausible());
   for (const Normalization normalization : {Normalization::hemispherical, Normalization::reciprocal}) {
     ModelSwitches switches;
     switches.normalization = normalization;
-    const LogBrdfGradients gradients(engine, pairs, 0.5, switches);
+    const LogBrdfGradients gradients(engine, pairs, share_s, switches);
     const LogBrdfValues values = gradients.evaluate(materials);
     for (std::size_t m = 0; m < materials.size(); ++m)
       for (std::size_t k = 0; k < pairs.size(); ++k) {
-        const auto expected = Double::log_brdf_gradient(materials[m], switches, pairs[k], 0.5);
+        const auto expected = Double::log_brdf_gradient(materials[m], switches, pairs[k], share_s[k]);
         EXPECT_NEAR(values.ln_f(m)[k], expected[0], tolerance_device);
         for (std::size_t c = 0; c < parameter_table.size(); ++c)
           EXPECT_NEAR(values.by(m, c)[k], expected[c + 1], tolerance_device * (1 + std::abs(expected[c + 1])))
