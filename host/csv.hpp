@@ -19,6 +19,7 @@ class Csv {
 
   /// The column of that name, if there is one. Throws BadInput where it appears twice.
   std::optional<std::size_t> column(std::string_view name) const;
+  const std::string& name(std::size_t column) const { return header_[column]; }
 
   /// `SOURCE:LINE` of the row, or of the header before the first.
   std::string where() const;

@@ -55,7 +55,7 @@ std::optional<double> ln_f(const Scan& scan, double theta_s) {
 
 std::map<std::pair<std::size_t, std::size_t>, Scan> scans_in_plane(const Measurement& measurement, const Incidences& incidences) {
   std::map<std::pair<std::size_t, std::size_t>, Scan> scans;
-  for (const auto& [pair, brdf, sigma, channel] : measurement.samples) {
+  for (const auto& [pair, brdf, sigma, channel, share_s] : measurement.samples) {
     const double theta_s = pair.model_theta_s(), phi = pair.model_phi() * radian;
     if (!(brdf > 0) || (theta_s > 0 && std::abs(std::sin(phi)) > std::sin(in_plane * radian))) continue;
     scans[{channel, incidences.index(pair.theta_i)}][is_backward(pair) ? -theta_s : theta_s] = std::log(brdf);
@@ -70,7 +70,7 @@ std::string doubt_of_azimuth(const Measurement& measurement) {
   const double highest = incidences.angles().back();
   if (highest < high_incidence) return {};
   double forward = 0, backward = 0;
-  for (const auto& [pair, brdf, sigma, channel] : measurement.samples) {
+  for (const auto& [pair, brdf, sigma, channel, share_s] : measurement.samples) {
     if (incidences.index(pair.theta_i) + 1 < incidences.size() || !(pair.model_theta_s() > 0)) continue;
     if (!is_backward(pair))
       forward = std::max(forward, brdf);

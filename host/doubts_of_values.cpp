@@ -41,7 +41,7 @@ double diffuse_level(const Measurement& measurement) {
   const Incidences incidences = measurement.incidences();
   std::map<std::pair<std::size_t, std::size_t>, std::vector<double>> by_incidence;
   std::map<std::size_t, std::vector<double>> by_channel;
-  for (const auto& [pair, brdf, sigma, channel] : measurement.samples) {
+  for (const auto& [pair, brdf, sigma, channel, share_s] : measurement.samples) {
     if (!(brdf > 0) || std::max(pair.theta_i, pair.model_theta_s()) > largest_theta) continue;
     if (distance_from_peaks(pair) < beyond_lobes) continue;
     by_incidence[{channel, incidences.index(pair.theta_i)}].push_back(brdf);

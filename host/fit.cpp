@@ -6,6 +6,7 @@
 
 #include "host/error.hpp"
 #include "host/fit_starts.hpp"
+#include "host/fit_uncertainty.hpp"
 
 namespace brdftab {
 namespace {
@@ -19,6 +20,9 @@ constexpr double reached_rms = 1.01;
 constexpr double cauchy_scale = 2.385 * 1.4826;
 
 constexpr int cauchy_rounds = 5;
+constexpr int most_noise_rounds = 40;
+// A relative change of every sigma below it moves no digit that is told.
+constexpr double settled_noise = 1e-5;
 
 constexpr Patience first_descent{.iterations = 80, .tolerance = 1e-5};
 constexpr Patience polish{.iterations = 400, .tolerance = 1e-13};
@@ -48,6 +52,28 @@ double median_modulus(std::vector<double> values) {
   return *middle;
 }
 
+double update_noise(FitProblem& problem, const Minimum& best) {
+  return problem.update_noise(best.u, freedom(linear_uncertainty(problem, best)));
+}
+
+// What the residuals are measured by, the noise and the scale of a robust loss, follows from the fit itself: it stays as it is
+// while a descent goes on, and is renewed between descents until it settles.
+void settle(FitProblem& problem, std::vector<Minimum>& polished) {
+  const FitOptions& options = problem.options();
+  const bool is_robust = options.loss == FitLoss::cauchy;
+  const int rounds = options.noise ? most_noise_rounds : is_robust ? cauchy_rounds : 0;
+  for (int round = 0; round < rounds && !polished.empty(); ++round) {
+    const double change = options.noise ? update_noise(problem, polished.front()) : 1;
+    if (change < settled_noise && round >= (is_robust ? cauchy_rounds : 0)) return;
+    if (is_robust) {
+      problem.loss_scale = std::numeric_limits<double>::infinity();
+      problem.loss_scale = cauchy_scale * std::max(median_modulus(problem.residuals(polished.front().u).values), 1e-6);
+    }
+    polished = descend(problem, best_points(polished, most_polished), polish);
+    sort_by_cost(polished);
+  }
+}
+
 }  // namespace
 
 Fit fit(FitProblem& problem) {
@@ -57,13 +83,7 @@ Fit fit(FitProblem& problem) {
   sort_by_cost(minima);
   std::vector<Minimum> polished = descend(problem, best_points(minima, most_polished), polish);
   sort_by_cost(polished);
-  // The scale follows from residuals that outliers have moved: it takes some rounds to settle.
-  for (int round = 0; options.loss == FitLoss::cauchy && !polished.empty() && round < cauchy_rounds; ++round) {
-    problem.loss_scale = std::numeric_limits<double>::infinity();
-    problem.loss_scale = cauchy_scale * std::max(median_modulus(problem.residuals(polished.front().u).values), 1e-6);
-    polished = descend(problem, best_points(polished, most_polished), polish);
-    sort_by_cost(polished);
-  }
+  settle(problem, polished);
   Fit result{
       .best = {}, .starts = options.starts, .converged = 0, .reached = 0, .seconds = 0, .kernel_seconds = 0, .evaluations = 0};
   for (const Minimum& minimum : minima) result.converged += minimum.converged && std::isfinite(minimum.cost);

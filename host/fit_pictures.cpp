@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <map>
 #include <numbers>
 
 #include "host/error.hpp"
+#include "host/measured_light.hpp"
 #include "host/numbers.hpp"
 #include "host/partial_file.hpp"
 #include "host/pictures/in_plane.hpp"
@@ -27,63 +30,84 @@ void write(const std::filesystem::path& path, const std::string& text, bool forc
   write_whole_file(file, path, text);
 }
 
-std::string fit_picture(const Engine& engine, const FitProblem& problem, const FitBand& band, const Parameters& parameters) {
-  const std::vector<InPlaneScan> scans = in_plane_scans(band.samples, problem.incidences());
+// Of the samples in one light.
+Panel fit_panel(const Engine& engine, const FitProblem& problem, std::span<const MeasuredSample> samples,
+                const Parameters& parameters, Chart& chart) {
+  const std::vector<InPlaneScan> scans = in_plane_scans(samples, problem.incidences());
   std::vector<InPlaneScan> drawn;
   for (const std::size_t k : spread_indices(scans.size(), most_incidences)) drawn.push_back(scans[k]);
+  Panel panel{.title = "", .x = theta_s_axis(), .y = {}};
+  if (drawn.empty()) panel.note = "no sample lies in the plane of incidence";
+  if (drawn.size() < scans.size()) chart.notes.push_back(fmt::format("at {} of {} θ_i", drawn.size(), scans.size()));
+  if (const std::string note = not_drawn_note(samples); !note.empty()) chart.notes.push_back(note);
+  if (drawn.empty()) return panel;
   std::vector<double> theta_i;
-  double low = HUGE_VAL;
-  double high = 0;
-  for (const InPlaneScan& scan : drawn) {
-    theta_i.push_back(scan.theta_i);
-    for (const ChartPoint& point : scan.points) {
-      low = std::min(low, point.y);
-      high = std::max(high, point.y);
-    }
+  for (const InPlaneScan& scan : drawn) theta_i.push_back(scan.theta_i);
+  const double share_s = samples.front().share_s;
+  const auto curves = in_plane_curves(theta_i, [&](std::span<const DirectionPair> pairs) {
+    const LogBrdfGradients model(engine, pairs, share_s, problem.options().switches);
+    const auto values = model.evaluate({&parameters, 1});
+    std::vector<double> f;
+    for (std::size_t k = 0; k < pairs.size(); ++k) f.push_back(std::exp(values.ln_f(0)[k]));
+    return f;
+  });
+  for (std::size_t k = 0; k < drawn.size(); ++k) {
+    panel.line(incidence_label(theta_i[k]), curves[k]);
+    panel.dots(incidence_label(theta_i[k]), drawn[k].points);
   }
+  return panel;
+}
+
+std::string fit_picture(const Engine& engine, const FitProblem& problem, const FitBand& band, const Parameters& parameters) {
+  std::map<double, std::vector<MeasuredSample>, std::greater<>> lights;  // by share of s
+  for (const MeasuredSample& sample : band.samples) lights[sample.share_s].push_back(sample);
   Chart chart{.title = "BRDF in the plane of incidence: measured and fitted",
               .subtitle = "",
               .legend_title = "incidence θ_i",
               .notes = {"curves: fitted", "dots: measured"},
               .colours = Colours::steps,
+              .columns = lights.size(),
               .panels = {}};
-  Panel panel{.title = "", .x = theta_s_axis(), .y = logarithmic_axis(brdf_axis_label, low / 1.5, high * 1.5)};
-  if (drawn.empty()) panel.note = "no sample lies in the plane of incidence";
-  if (drawn.size() < scans.size()) chart.notes.push_back(fmt::format("at {} of {} θ_i", drawn.size(), scans.size()));
-  if (!drawn.empty()) {
-    const auto curves = in_plane_curves(theta_i, [&](std::span<const DirectionPair> pairs) {
-      const LogBrdfGradients model(engine, pairs, problem.options().share_s, problem.options().switches);
-      const auto values = model.evaluate({&parameters, 1});
-      std::vector<double> f;
-      for (std::size_t k = 0; k < pairs.size(); ++k) f.push_back(std::exp(values.ln_f(0)[k]));
-      return f;
-    });
-    for (std::size_t k = 0; k < drawn.size(); ++k) {
-      panel.line(incidence_label(theta_i[k]), curves[k]);
-      panel.dots(incidence_label(theta_i[k]), drawn[k].points);
+  double low = HUGE_VAL;
+  double high = 0;
+  for (const auto& [share_s, samples] : lights) {
+    Panel panel = fit_panel(engine, problem, samples, parameters, chart);
+    if (lights.size() > 1) {
+      panel.title = light_word(share_s);
+      panel.x = narrow_theta_s_axis();
     }
+    for (const Series& series : panel.series)
+      for (const ChartPoint& point : series.points) {
+        if (!series.dots) continue;
+        low = std::min(low, point.y);
+        high = std::max(high, point.y);
+      }
+    chart.panels.push_back(std::move(panel));
   }
-  chart.panels.push_back(std::move(panel));
+  for (Panel& panel : chart.panels) panel.y = logarithmic_axis(brdf_axis_label, low / 1.5, high * 1.5);
   return chart.svg();
 }
 
-std::string residual_picture(const Incidences& settings, const FitBand& band, const std::vector<double>& ratios) {
+std::string residual_picture(const FitProblem& problem, const FitBand& band, const std::vector<double>& misfits) {
+  const Incidences& settings = problem.incidences();
   double largest = 1e-6;
-  for (const double ratio : ratios) largest = std::max(largest, std::abs(ratio));
+  for (const double misfit : misfits) largest = std::max(largest, std::abs(misfit));
   Chart chart{.title = "Residuals of the fit",
               .subtitle = "θ_s is negative over the whole backward half-space",
               .legend_title = "incidence θ_i",
               .notes = {},
               .colours = Colours::steps,
               .panels = {}};
-  Panel panel{.title = "", .x = theta_s_axis(), .y = {"ln(model / data)", -1.1 * largest, 1.1 * largest}};
+  Panel panel{.title = "",
+              .x = theta_s_axis(),
+              .y = {problem.options().take_sigma() ? "(model − data) / σ" : "ln(model / data)", -1.1 * largest, 1.1 * largest}};
   panel.rules.push_back({0, ""});
   const Incidences told_apart = settings.joined(most_incidences);
   std::vector<std::vector<ChartPoint>> points(told_apart.size());
-  for (std::size_t k = 0; k < ratios.size(); ++k) {
+  for (std::size_t k = 0; k < misfits.size(); ++k) {
     const auto& pair = band.samples[k].pair;
     const bool backward = std::cos(pair.model_phi() * std::numbers::pi / 180) < 0;
-    points[told_apart.index(pair.theta_i)].push_back({backward ? -pair.model_theta_s() : pair.model_theta_s(), ratios[k]});
+    points[told_apart.index(pair.theta_i)].push_back({backward ? -pair.model_theta_s() : pair.model_theta_s(), misfits[k]});
   }
   for (std::size_t k = 0; k < points.size(); ++k) {
     const double first = settings.angle(settings.index(told_apart.lowest(k)));
@@ -139,8 +163,8 @@ void write_fit_pictures(const Engine& engine, const FitProblem& problem, const F
     const std::string suffix =
         problem.bands().size() > 1 && band.wavelength_nm ? fmt::format("-{}", shortest(*band.wavelength_nm)) : "";
     write(folder / fmt::format("fit{}.svg", suffix), fit_picture(engine, problem, band, summary.bands[b]), force);
-    write(folder / fmt::format("residuals{}.svg", suffix),
-          residual_picture(problem.incidences(), band, problem.log_ratios(evaluated[b], b)), force);
+    write(folder / fmt::format("residuals{}.svg", suffix), residual_picture(problem, band, problem.misfits(evaluated[b], b)),
+          force);
     write(folder / fmt::format("shadowing{}.svg", suffix), shadowing_picture(summary.bands[b]), force);
   }
   write(folder / "correlations.svg", correlation_picture(summary), force);

@@ -77,19 +77,20 @@ Eigen::Vector3d non_negative(const Eigen::Matrix3d& normal, const Eigen::Vector3
   return best;
 }
 
-// Amplitudes that bring the model nearest to the data, relative to the data.
+// Amplitudes that bring the model nearest to the data, in the units of the fit's residuals.
 void set_amplitudes(const FitProblem& problem, std::size_t band, const BandValues& values, Parameters& parameters) {
   const FitBand& data = problem.bands()[band];
   Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
   Eigen::Vector3d right = Eigen::Vector3d::Zero();
-  const auto ratios = problem.log_ratios(values, band);
+  const auto ln_f = values.ln_f();
   std::array<bool, 3> free{};
   for (std::size_t lobe = 0; lobe < 3; ++lobe) free[lobe] = !problem.options().choices[amplitudes[lobe]].fixed;
-  for (std::size_t k = 0; k < ratios.size(); ++k) {
+  for (std::size_t k = 0; k < ln_f.size(); ++k) {
     Eigen::Vector3d part;
-    double target = 1;
+    const double f = std::exp(ln_f[k]) / problem.unit(band, k);
+    double target = data.samples[k].brdf / problem.unit(band, k);
     for (std::size_t lobe = 0; lobe < 3; ++lobe) {
-      part[static_cast<Eigen::Index>(lobe)] = values.by(amplitudes[lobe])[k] * std::exp(ratios[k]);
+      part[static_cast<Eigen::Index>(lobe)] = values.by(amplitudes[lobe])[k] * f;
       if (!free[lobe]) target -= part[static_cast<Eigen::Index>(lobe)] * (parameters.*parameter_table[amplitudes[lobe]].member);
     }
     if (!part.allFinite()) continue;
@@ -110,8 +111,8 @@ void set_amplitudes(const FitProblem& problem, std::size_t band, const BandValue
 double cost(const FitProblem& problem, const std::vector<BandValues>& values) {
   double sum = 0;
   for (std::size_t b = 0; b < values.size(); ++b) {
-    const auto ratios = problem.log_ratios(values[b], b);
-    for (std::size_t k = 0; k < ratios.size(); ++k) sum += problem.bands()[b].weights[k] * ratios[k] * ratios[k];
+    const auto misfits = problem.misfits(values[b], b);
+    for (std::size_t k = 0; k < misfits.size(); ++k) sum += problem.bands()[b].weights[k] * misfits[k] * misfits[k];
   }
   return std::isfinite(sum) ? sum : std::numeric_limits<double>::infinity();
 }

@@ -56,6 +56,16 @@ std::pair<double, double> seen_range(const std::vector<Information>& list) {
   return best;
 }
 
+// What f would be divided by in the residual of a further sample: with sigmas of the data, that of the most alike reading.
+double expected_unit(const FitProblem& problem, double f) {
+  if (!problem.options().take_sigma()) return f;
+  if (problem.noise()) return problem.noise()->sigma(f);
+  const auto& samples = problem.bands().front().samples;
+  return std::min_element(samples.begin(), samples.end(),
+                          [&](const auto& a, const auto& b) { return std::abs(a.brdf - f) < std::abs(b.brdf - f); })
+      ->sigma;
+}
+
 }  // namespace
 
 std::vector<Sufficiency> sufficiency(const Engine& engine, const FitProblem& problem, const Minimum& best,
@@ -67,10 +77,12 @@ std::vector<Sufficiency> sufficiency(const Engine& engine, const FitProblem& pro
   for (const double theta_i : incidences)
     for (double theta_s = -80; theta_s <= 80; theta_s += 5) scans.push_back({theta_i, theta_s, 0, 0});
   const std::size_t scan = scans.size() / incidences.size();
-  const LogBrdfGradients gradients(engine, scans, problem.options().share_s, problem.options().switches);
+  const LogBrdfGradients gradients(engine, scans, problem.share_s(), problem.options().switches);
   // A spectrum is judged by its first band.
   const auto bands = problem.parameters(best.u);
   const LogBrdfValues values = gradients.evaluate({bands.data(), 1});
+  std::vector<double> weight;
+  for (const double ln_f : values.ln_f(0)) weight.push_back(std::exp(ln_f) / expected_unit(problem, std::exp(ln_f)));
   const auto count = static_cast<Eigen::Index>(linear.active.size());
   const Eigen::VectorXd lengths = linear.jacobian.colwise().norm();
   const auto inverse_scaled = [&](const Eigen::MatrixXd& jacobian) {
@@ -89,7 +101,7 @@ std::vector<Sufficiency> sufficiency(const Engine& engine, const FitProblem& pro
       const bool is_first = std::find(v.bands.begin(), v.bands.end(), 0u) != v.bands.end();
       const double slope = v.slope(best.u[linear.active[static_cast<std::size_t>(a)]]);
       for (std::size_t k = 0; k < scan; ++k) {
-        const double by = values.by(0, v.parameter)[i * scan + k];
+        const double by = values.by(0, v.parameter)[i * scan + k] * weight[i * scan + k];
         extended(linear.jacobian.rows() + static_cast<Eigen::Index>(k), a) = is_first && std::isfinite(by) ? by * slope : 0;
       }
     }

@@ -24,12 +24,12 @@ std::vector<IncidenceFit> by_incidence(const Engine& engine, const FitProblem& p
   const Incidences& settings = problem.incidences();
   const Incidences listed = settings.joined(most_incidences);
   const std::vector<double> angles = listed.angles();
-  const double share_s = problem.options().share_s;
+  const double share_s = problem.share_s();
   const auto parameters = problem.parameters(u);
   const auto evaluated = problem.batch().evaluate(parameters);
   std::vector<IncidenceFit> result;
   for (std::size_t b = 0; b < problem.bands().size(); ++b) {
-    const auto ratios = problem.log_ratios(evaluated[b], b);
+    const auto ratios = problem.misfits(evaluated[b], b);
     std::vector<std::pair<double, std::size_t>> sums(listed.size());
     for (std::size_t k = 0; k < ratios.size(); ++k) {
       auto& [squares, count] = sums[listed.index(problem.bands()[b].samples[k].pair.theta_i)];
@@ -87,10 +87,8 @@ FitSummary summarize(const Engine& engine, const FitProblem& problem, Fit fit, b
   summary.correlations = strongest_correlations(problem, summary.linear);
   summary.incidences = by_incidence(engine, problem, fit.best.u);
   summary.sufficiency = sufficiency(engine, problem, fit.best, summary.linear, poorly_known);
-  double squares = 0;
-  for (const IncidenceFit& at : summary.incidences) squares += at.rms * at.rms * static_cast<double>(at.samples);
-  summary.rms_of_samples = std::sqrt(squares / static_cast<double>(problem.samples()));
-  summary.rms_of_incidences = problem.rms(fit.best.u);
+  summary.log_rms = problem.log_rms(fit.best.u);
+  summary.low_readings = low_readings_left_out(engine, problem, summary.bands);
   summary.profiled = profile;
   summary.fit = std::move(fit);
   return summary;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "host/fit.hpp"
+#include "host/fit_bias.hpp"
 #include "host/fit_sufficiency.hpp"
 
 namespace brdftab {
@@ -37,7 +38,7 @@ struct IncidenceFit {
   /// Degrees: their mean, the first and the last.
   double theta_i, first, last;
   std::size_t samples;
-  /// Of ln(model/data).
+  /// Of ln(model/data) or, where the fit takes sigma, of (model - data)/sigma.
   double rms;
   /// Of the fitted material at theta_i, in the light of the measurement.
   double dhr;
@@ -52,14 +53,16 @@ struct FitSummary {
   std::vector<Correlation> correlations;
   std::vector<IncidenceFit> incidences;
   std::vector<Sufficiency> sufficiency;
-  /// Of ln(model/data), over all samples alike and over the mean squares of each incidence.
-  double rms_of_samples;
-  double rms_of_incidences;
+  FitProblem::LogRms log_rms;
+  std::optional<LowReadingsLeftOut> low_readings;
   bool profiled;
 };
 
 /// `profile`: intervals by profile likelihood, else from standard errors. A better fit found on the way replaces fit.best.
 FitSummary summarize(const Engine& engine, const FitProblem& problem, Fit fit, bool profile);
+
+/// Why a fit is not to be used, in words for everybody; empty where nothing speaks against it. The first line of what follows.
+std::string verdict(const FitProblem& problem, const FitSummary& summary);
 
 /// The table on standard output.
 std::string summary_text(const FitProblem& problem, const FitSummary& summary);

@@ -38,7 +38,8 @@ LinearUncertainty linear_uncertainty(const FitProblem& problem, const Minimum& b
   }
   const auto count = static_cast<Eigen::Index>(result.active.size());
   result.degrees_of_freedom = values.values.size() - std::min(result.active.size(), values.values.size() - 1);
-  result.variance = values.cost / static_cast<double>(result.degrees_of_freedom);
+  result.reduced_chi_square = values.cost / static_cast<double>(result.degrees_of_freedom);
+  result.variance = problem.options().take_sigma() ? std::max(result.reduced_chi_square, 1.) : result.reduced_chi_square;
   result.jacobian.resize(rows, count);
   for (Eigen::Index a = 0; a < count; ++a)
     result.jacobian.col(a) = whole.col(static_cast<Eigen::Index>(result.active[static_cast<std::size_t>(a)]));
@@ -56,6 +57,16 @@ LinearUncertainty linear_uncertainty(const FitProblem& problem, const Minimum& b
   const Eigen::MatrixXd factor =
       lengths.cwiseInverse().asDiagonal() * svd.matrixV() * singular.cwiseInverse().asDiagonal() * std::sqrt(result.variance);
   result.covariance = factor * factor.transpose();
+  return result;
+}
+
+std::vector<double> freedom(const LinearUncertainty& linear) {
+  // The covariance is variance (J^T J)^-1.
+  std::vector<double> result(static_cast<std::size_t>(linear.jacobian.rows()), 1.);
+  if (linear.active.empty()) return result;
+  const Eigen::VectorXd leverage = (linear.jacobian * linear.covariance).cwiseProduct(linear.jacobian).rowwise().sum();
+  for (Eigen::Index k = 0; k < leverage.size(); ++k)
+    result[static_cast<std::size_t>(k)] = std::clamp(1 - leverage[k] / linear.variance, 0., 1.);
   return result;
 }
 

@@ -11,8 +11,10 @@ namespace brdftab {
 /// From the derivatives at the minimum. Variables at a bound, and those that the residuals do not depend on, are left out:
 /// the solver's bounds know no covariance.
 struct LinearUncertainty {
-  /// Variance of a residual of weight 1: cost over degrees of freedom.
+  /// Variance of a residual of weight 1: cost over degrees of freedom. In units of sigma it is at least 1: a given sigma is
+  /// believed, unless the misfit is larger.
   double variance;
+  double reduced_chi_square;
   std::size_t degrees_of_freedom;
   /// Of the variables left in, in this order, in the solver's variables.
   std::vector<std::size_t> active;
@@ -26,6 +28,9 @@ struct LinearUncertainty {
 };
 
 LinearUncertainty linear_uncertainty(const FitProblem& problem, const Minimum& best);
+
+/// 1 - leverage of each sample: the part of its noise that the fit has not followed.
+std::vector<double> freedom(const LinearUncertainty& linear);
 
 /// A 95 % interval, in the paper's units. Open: the whole way to the bound fits about as well.
 struct Interval95 {

@@ -15,13 +15,6 @@ thread_local bool is_gathered = false;
 
 }  // namespace
 
-GradientBatch::GradientBatch(const Engine& engine, const std::vector<std::vector<DirectionPair>>& bands, double share_s,
-                             const ModelSwitches& switches, bool mean_of_exchanges)
-    : mean_of_exchanges_(mean_of_exchanges) {
-  for (const auto& pairs : bands)
-    bands_.emplace_back(engine, mean_of_exchanges ? with_exchanges(pairs) : pairs, share_s, switches);
-}
-
 void GradientBatch::run(std::size_t count, std::size_t at_once, const std::function<void(std::size_t)>& work) {
   std::atomic<std::size_t> next = 0;
   std::exception_ptr first;

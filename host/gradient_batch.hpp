@@ -23,9 +23,10 @@ struct BandValues {
 
 class GradientBatch {
  public:
-  /// One list of directions for each band. `mean_of_exchanges`: ln of the mean of f(i, s) and f(s, i), and its derivatives.
-  GradientBatch(const Engine& engine, const std::vector<std::vector<DirectionPair>>& bands, double share_s,
-                const ModelSwitches& switches, bool mean_of_exchanges = false);
+  /// One list of directions for each band. `mean_of_exchanges`: the lists are by `with_exchanges`, and values become ln of the
+  /// mean of f(i, s) and f(s, i), and its derivatives.
+  explicit GradientBatch(std::vector<LogBrdfGradients> bands, bool mean_of_exchanges = false)
+      : bands_(std::move(bands)), mean_of_exchanges_(mean_of_exchanges) {}
 
   /// Calls work(0) ... work(count - 1), each in a thread of its own, `at_once` of them at a time; rethrows the first
   /// exception.

@@ -12,13 +12,15 @@
 
 #include "host/doubts.hpp"
 #include "host/error.hpp"
+#include "host/measured_light.hpp"
 #include "host/measurement_text.hpp"
 #include "host/numbers.hpp"
 
 namespace brdftab {
 namespace {
 
-void set_aside_what_is_not_positive(Measurement& measurement) {
+// Readings that noise has brought to 0 or below are readings; a fit says which it takes.
+void set_aside_what_is_no_number(Measurement& measurement) {
   std::size_t nans = 0;
   std::size_t zeros = 0;
   std::size_t negatives = 0;
@@ -27,23 +29,24 @@ void set_aside_what_is_not_positive(Measurement& measurement) {
     nans += std::isnan(sample.brdf);
     zeros += sample.brdf == 0;
     negatives += sample.brdf < 0;
-    return !(sample.brdf > 0);
+    return std::isnan(sample.brdf);
   });
   const auto warn = [&](std::size_t number, std::string_view what) {
-    if (number > 0) measurement.warnings.push_back(fmt::format("{} of {} samples are {}: set aside", number, count, what));
+    if (number > 0) measurement.warnings.push_back(fmt::format("{} of {} samples are {}", number, count, what));
   };
-  warn(nans, "nan");
+  warn(nans, "nan: set aside");
   warn(zeros, "zero");
   warn(negatives, "negative");
 }
 
-using Direction = std::tuple<std::size_t, double, double, double>;
+// Channel, light and angles.
+using Direction = std::tuple<std::size_t, double, double, double, double>;
 
 // At the normal all azimuths are one direction.
 Direction direction_of(const MeasuredSample& sample) {
   const double theta_s = sample.pair.model_theta_s();
   const double phi = theta_s == 0 ? 0 : std::remainder(sample.pair.model_phi(), 360);
-  return {sample.channel, sample.pair.theta_i, theta_s, phi == -180 ? 180 : phi};
+  return {sample.channel, sample.share_s, sample.pair.theta_i, theta_s, phi == -180 ? 180 : phi};
 }
 
 // Each is information, its value the same or not: instruments round, and read a direction more than once.
@@ -170,8 +173,8 @@ void clean(Measurement& measurement, const MeasurementOptions& options) {
   const bool are_known = options.values == ValueKind::brdf;
   const std::string logarithms = are_known ? std::string() : doubt_of_logarithms(measurement);
   add(logarithms);
-  set_aside_what_is_not_positive(measurement);
-  if (measurement.samples.empty())
+  set_aside_what_is_no_number(measurement);
+  if (std::none_of(measurement.samples.begin(), measurement.samples.end(), [](const auto& sample) { return sample.brdf > 0; }))
     throw BadInput("{}: no sample has f above 0{}{}", measurement.source, logarithms.empty() ? "" : ": ", logarithms);
   count_repeated_readings(measurement);
   if (!are_known && logarithms.empty()) {
@@ -208,6 +211,7 @@ Measurement read_measurement(const std::filesystem::path& file, const Measuremen
     sample.sigma *= options.scale * slope_of_brdf(kind, sample.brdf / options.scale, theta_s);
     if (options.flip_azimuth) sample.pair.phi += 180;
   }
+  choose_light(measurement, options.light, reader->format == "csv");
   clean(measurement, options);
   return measurement;
 }

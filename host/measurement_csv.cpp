@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "host/error.hpp"
+#include "host/measured_light.hpp"
 #include "host/measurement.hpp"
 #include "host/numbers.hpp"
 
@@ -38,16 +39,39 @@ void warn_of_radians(Measurement& measurement) {
   if (!doubt.empty()) measurement.warnings.push_back(std::move(doubt));
 }
 
+// A value of f in one light, and of its uncertainty.
+struct BrdfColumn {
+  Polarization light;
+  std::size_t brdf;
+  std::optional<std::size_t> sigma;
+};
+
+std::optional<std::size_t> column_of(const Csv& csv, const std::string& name) {
+  // `evaluate` writes brdf: the model's own values are a measurement too.
+  const auto column = csv.column(name + "_per_sr");
+  return column ? column : csv.column(name);
+}
+
+std::vector<BrdfColumn> brdf_columns(const Csv& csv) {
+  std::vector<BrdfColumn> columns;
+  for (const auto& [light, suffix] :
+       {std::pair{Polarization::unpolarized, ""}, {Polarization::s, "_s"}, {Polarization::p, "_p"}}) {
+    const auto brdf = column_of(csv, std::string(brdf_name(light)));
+    if (!brdf) continue;
+    const auto own = column_of(csv, std::string("sigma") + suffix);
+    columns.push_back({light, *brdf, own ? own : column_of(csv, "sigma")});
+  }
+  return columns;
+}
+
 }  // namespace
 
 Measurement read_csv_measurement(std::istream& in, const std::string& source, const MeasurementOptions& options) {
   constexpr std::string_view wanted = "theta_i_deg, theta_s_deg, phi_deg and brdf_per_sr";
   Csv csv(in, source, wanted);
   const DirectionColumns directions(csv);
-  // `evaluate` writes brdf: the model's own values are a measurement too.
-  const auto brdf = csv.column("brdf_per_sr") ? csv.column("brdf_per_sr") : csv.column("brdf");
-  if (!brdf) throw BadInput("{}: the column brdf_per_sr is missing; a header names {}", csv.where(), wanted);
-  const auto sigma = csv.column("sigma");
+  const std::vector<BrdfColumn> brdf = brdf_columns(csv);
+  if (brdf.empty()) throw BadInput("{}: the column brdf_per_sr is missing; a header names {}", csv.where(), wanted);
   const auto micrometres = csv.column("wavelength_um");
   if (micrometres && csv.column("wavelength_nm"))
     throw BadInput("{}: wavelength_nm and wavelength_um: one of them must do", csv.where());
@@ -58,24 +82,26 @@ Measurement read_csv_measurement(std::istream& in, const std::string& source, co
   Measurement measurement;
   measurement.source = source;
   while (const auto* cells = csv.next()) {
-    MeasuredSample sample{.pair = directions.read(csv, *cells), .brdf = 0};
-    const bool is_at_rim = options.angles && !take_angles(sample.pair, *options.angles, csv);
-    sample.brdf = number(csv, (*cells)[*brdf], "brdf_per_sr", "a number in 1/sr");
-    if (sigma) {
-      sample.sigma = number(csv, (*cells)[*sigma], "sigma", "a number above 0, in 1/sr");
-      if (!(sample.sigma > 0))
-        throw BadInput("{}: sigma = {}: must be a number above 0, in 1/sr", csv.where(), excerpt((*cells)[*sigma]));
-    }
+    DirectionPair pair = directions.read(csv, *cells);
+    const bool is_at_rim = options.angles && !take_angles(pair, *options.angles, csv);
     std::string name(channel ? (*cells)[*channel] : std::string_view{});
     if (micrometres && parse_number(name)) name += "um";
     auto& names = measurement.channels;
     const auto at = std::find(names.begin(), names.end(), name);
-    sample.channel = static_cast<std::size_t>(at - names.begin());
+    const auto index = static_cast<std::size_t>(at - names.begin());
     if (at == names.end()) names.push_back(name);
-    if (is_at_rim)
-      ++at_rim;
-    else
-      measurement.samples.push_back(sample);
+    at_rim += is_at_rim;
+    for (const BrdfColumn& column : brdf) {
+      MeasuredSample sample{.pair = pair, .brdf = 0, .channel = index, .share_s = share_s(column.light)};
+      sample.brdf = number(csv, (*cells)[column.brdf], csv.name(column.brdf), "a number in 1/sr");
+      if (column.sigma) {
+        sample.sigma = number(csv, (*cells)[*column.sigma], csv.name(*column.sigma), "a number above 0, in 1/sr");
+        if (!(sample.sigma > 0))
+          throw BadInput("{}: {} = {}: must be a number above 0, in 1/sr", csv.where(), csv.name(*column.sigma),
+                         excerpt((*cells)[*column.sigma]));
+      }
+      if (!is_at_rim) measurement.samples.push_back(sample);
+    }
   }
   if (at_rim > 0) measurement.warnings.push_back(fmt::format("{} samples at theta = 90 degrees: set aside", at_rim));
   if (!options.angles) warn_of_radians(measurement);

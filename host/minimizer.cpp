@@ -12,9 +12,9 @@ namespace {
 // From here on normal equations are faster than QR, and spectra, which reach it, are conditioned well enough.
 constexpr std::size_t many_variables = 40;
 
-class LogResiduals : public ceres::CostFunction {
+class FitResiduals : public ceres::CostFunction {
  public:
-  LogResiduals(const FitProblem& problem, std::vector<double> start, std::vector<std::size_t> active)
+  FitResiduals(const FitProblem& problem, std::vector<double> start, std::vector<std::size_t> active)
       : problem_(problem), u_(std::move(start)), active_(std::move(active)) {
     set_num_residuals(static_cast<int>(problem.samples()));
     mutable_parameter_block_sizes()->push_back(static_cast<int>(active_.size()));
@@ -64,7 +64,7 @@ Minimum minimize(const FitProblem& problem, std::vector<double> start, const Pat
     x.push_back(std::clamp(start[v], variables[v].to_solver(variables[v].minimum), variables[v].to_solver(variables[v].maximum)));
 
   ceres::Problem solver;
-  solver.AddResidualBlock(new LogResiduals(problem, start, active), nullptr, x.data());
+  solver.AddResidualBlock(new FitResiduals(problem, start, active), nullptr, x.data());
   for (std::size_t a = 0; a < active.size(); ++a) {
     const FitVariable& v = variables[active[a]];
     solver.SetParameterLowerBound(x.data(), static_cast<int>(a), v.to_solver(v.minimum));

@@ -4,13 +4,15 @@ import collections
 import csv
 import io
 import math
+import random
 import re
 import statistics
 import unittest
 
 from picture import Picture
-from program import BAD_INPUT, CHECK_FAILED, DONE, FILE, MATERIALS, InFolder, run
+from program import BAD_INPUT, CHECK_FAILED, DONE, FILE, MATERIALS, ROOT, InFolder, run
 
+DATA = ROOT / "tests" / "data"
 HEADER = "theta_i_deg,theta_s_deg,phi_s_deg,brdf_per_sr,channel\n"
 PAIRS = "theta_i_deg,theta_s_deg,phi_deg\n" + "".join(
     f"{i},{s},0\n" for i in range(0, 81, 20) for s in range(-80, 81, 8))
@@ -67,16 +69,76 @@ class Fit(InFolder):
 
     def test_polarised_light_is_fitted_as_such(self):
         data = self.synthetic()
-        text = data.read_text().replace("brdf_s", "brdf_per_sr", 1)
-        data.write_text(text)
-        for polarization, limit in (("s", 1), ("p", None)):
-            result = run("fit", data, "-o", self.folder / "x.toml", "--force", "--floor", "0", "--starts", "16", "--intervals",
+        swapped = self.folder / "swapped.csv"
+        swapped.write_text(data.read_text().replace("brdf_s,brdf_p,", "brdf_p,brdf_s,", 1))
+        for file, polarization, fits in ((data, "s", True), (data, "all", True), (swapped, "s", False)):
+            result = run("fit", file, "-o", self.folder / "x.toml", "--force", "--floor", "0", "--starts", "16", "--intervals",
                          "linear", "--polarization", polarization)
+            self.assertEqual(result.returncode, DONE, result.stderr)
             rms = float(re.search(r"each incidence alike: (\S+)", result.stdout).group(1))
-            if limit:
-                self.assertLess(rms, 1e-3)
-            else:
-                self.assertGreater(rms, 1e-3)
+            self.assertEqual(rms < 1e-3, fits, result.stdout)
+            self.assertIn("light: s- and p-polarised" if polarization == "all" else "light: s-polarised",
+                          (self.folder / "x.toml").read_text())
+
+    def test_what_low_readings_left_out_do_is_told_and_mended(self):
+        black = DATA / "noise" / "floor1e-3.csv"
+        output = self.folder / "x.toml"
+        common = ["fit", black, "-o", output, "--force", "--starts", "8", "--intervals", "linear"]
+        result = run(*common)
+        self.assertEqual(result.returncode, DONE, result.stderr)
+        told = re.search(r"warning: \S+: (\d+) of 648 samples \(\d+ %\) are left out .*DHR upward.* is (\S+) times all readings.*"
+                         r"--weights sigma.*--noise", result.stderr)
+        self.assertIsNotNone(told, result.stderr)
+        self.assertGreater(int(told.group(1)), 200)
+        self.assertGreater(float(told.group(2)), 1.5)
+        self.assertIn(f"{told.group(1)} of 648 samples", output.read_text())
+        for options, words in ((["--weights", "sigma"], "sigma given with the data"),
+                               (["--noise", "2%,1e-3"], "a = 0.02 given, b = 0.001 1/sr given"),
+                               (["--noise", "2%,estimated"], "a = 0.02 given, b = 0.00")):
+            result = run(*common, *options, "--report", self.folder / "report")
+            self.assertEqual(result.returncode, DONE, result.stderr)
+            self.assertNotIn("left out", result.stderr)
+            self.assertNotIn("bad fit", result.stdout)
+            for text in (result.stdout, output.read_text()):
+                self.assertIn(words, text)
+                self.assertRegex(text, r"reduced chi-square (0\.9|1)\S* of 648 samples")
+                self.assertRegex(text, r"rms of ln\(model/data\) over the \d+ of 648 samples above 0.002 1/sr")
+            dhr = float(re.search(r"theta_i = 0 .*DHR (\S+)", result.stdout).group(1))
+            self.assertAlmostEqual(dhr, 0.00525, delta=0.05 * 0.00525)
+            fit = Picture(self.folder / "report" / "fit.svg").data["panels"][0]
+            self.assertGreater(min(y for s in fit["series"] for y in s["y"]), 0)
+            residuals = Picture(self.folder / "report" / "residuals.svg").data["panels"][0]
+            self.assertEqual(sum(len(s["y"]) for s in residuals["series"]), 648)
+
+    def test_statistics_that_contradict_each_other_are_refused(self):
+        black = DATA / "noise" / "floor1e-3.csv"
+        for options, part in ((["--weights", "sigma", "--floor", "0.001"], "--floor 0.001: --weights sigma and --noise take every"),
+                              (["--noise", "2%,1e-3", "--floor", "0"], "--floor 0: "),
+                              (["--noise", "2%,1e-3", "--weights", "uniform"], "--weights uniform: --noise gives"),
+                              (["--noise", "2%"], "--noise 2%: must be RELATIVE,FLOOR"),
+                              (["--noise", "2%,0"], "--noise 2%,0: must be"),
+                              (["--noise", "estimated", "--loss", "cauchy"], "--loss cauchy takes a noise that is given")):
+            with self.subTest(part):
+                self.assert_refused(run("fit", black, "-o", self.folder / "x.toml", *options), BAD_INPUT, part)
+                self.assertFalse((self.folder / "x.toml").exists())
+
+    def test_a_bad_fit_says_so_in_its_first_line(self):
+        # No surface: what scatters at one angle says nothing of the next.
+        draw = random.Random(4)
+        text = HEADER + "".join(f"{i},{s},0,{math.exp(draw.gauss(-2, 1.5))},a\n" for i in (0, 30, 60) for s in range(-75, 76, 5))
+        output = self.folder / "x.toml"
+        result = run("fit", "-", "-o", output, "--floor", "0", "--starts", "4", "--intervals", "linear", stdin=text)
+        self.assertEqual(result.returncode, DONE, result.stderr)
+        first = result.stdout.splitlines()[0]
+        self.assertRegex(first, r"^bad fit, not to be used as it is: model and data differ by a factor of \S+ \(rms of ln\(model/data\)")
+        self.assertEqual(output.read_text().splitlines()[0], "# " + first)
+        self.assertEqual(run("evaluate", output, stdin=PAIRS).returncode, DONE)
+
+    def test_help_tells_every_default(self):
+        text = " ".join(run("fit", "--help").stdout.split())
+        for words in ("default 48", "default 1", "default 80", "default 0.002", "(default)",
+                      "values to f in 1/sr; default 1", "unpolarized (default)", "linear (default)", "the default, or none"):
+            self.assertIn(words, text)
 
     def test_a_variant_is_fitted_as_such(self):
         variant = self.folder / "variant.toml"

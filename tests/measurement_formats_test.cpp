@@ -210,7 +210,7 @@ TEST(MerlMeasurement, TakesDirectionsOfTheHemisphere) {
     EXPECT_NE(m.notes[0].find(part), std::string::npos) << m.notes[0];
   EXPECT_TRUE(m.warnings.empty());
   std::size_t polar_cap = 0, uniform = 0, about_mirror = 0, about_retro = 0;
-  for (const auto& [pair, brdf, sigma, channel] : m.samples) {
+  for (const auto& [pair, brdf, sigma, channel, share_s] : m.samples) {
     // By spherical trigonometry: cos 2 theta_d is the angle between the vectors, and theta_h is the median of their triangle.
     const double i = pair.theta_i * radian, s = pair.theta_s * radian, phi = pair.phi * radian;
     const double theta_d = 0.5 * std::acos(std::cos(i) * std::cos(s) - std::sin(i) * std::sin(s) * std::cos(phi));

@@ -50,7 +50,7 @@ TEST(Measurement, CountsWhatItSetsAside) {
   const Measurement m = read(header +
                              "10,20,0,0.1,a\n10,21,0,nan,a\n10,22,0,0,a\n10,23,0,-0.1,a\n10,24,0,-0.2,a\n10,20,0,0.1,a\n"
                              "10,20,0,0.2,a\n10,20,0,0.1,b\n");
-  EXPECT_EQ(m.samples.size(), 4u);
+  EXPECT_EQ(m.samples.size(), 7u);  // readings of 0 and below are kept
   EXPECT_EQ(m.channels, (std::vector<std::string>{"a", "b"}));
   ASSERT_EQ(m.warnings.size(), 5u) << joined(m.warnings);
   EXPECT_NE(m.warnings[0].find("1 of 8 samples are nan"), std::string::npos);

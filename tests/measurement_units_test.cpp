@@ -163,7 +163,7 @@ TEST_F(Units, UncertaintiesFollowTheValues) {
     if (row.kind == ValueKind::brdf || row.kind == ValueKind::pi_f || row.kind == ValueKind::percent) continue;
     if (row.kind == ValueKind::cosine_weighted) continue;
     const Measurement m = read("csv", text, {.values = row.kind, .scale = 2});
-    for (const auto& [pair, brdf, sigma, channel] : m.samples) {
+    for (const auto& [pair, brdf, sigma, channel, share_s] : m.samples) {
       const double value = -1 - 0.01 * pair.model_theta_s();
       const double slope = 2 * (brdf_of(row.kind, value + step, 0) - brdf_of(row.kind, value - step, 0)) / (2 * step);
       EXPECT_NEAR(sigma / (0.01 * slope), 1, 1e-8) << row.name;

@@ -8,6 +8,7 @@
 #include "host/commands/measurement_option.hpp"
 #include "host/fit_pictures.hpp"
 #include "host/fit_summary.hpp"
+#include "host/measured_light.hpp"
 #include "host/numbers.hpp"
 #include "host/partial_file.hpp"
 #include "host/switches.hpp"
@@ -21,7 +22,8 @@ struct Options {
   std::string channel;
   std::string wavelengths;
   std::string polarization = "unpolarized";
-  std::string weights = "aoi";
+  std::string weights;
+  std::string noise;
   std::string loss = "linear";
   std::string share = "geometry";
   std::string intervals;
@@ -37,6 +39,7 @@ struct Options {
   std::size_t merl_samples = 800;
   std::uint64_t merl_seed = 1;
   FitOptions fit;
+  std::optional<double> floor;
   bool force = false;
 };
 
@@ -116,22 +119,41 @@ void write(PartialFile& file, const std::string& target, const std::string& text
   file.commit();
 }
 
+// What would contradict itself is refused, not guessed.
+void check_statistics(const Options& options) {
+  if (options.fit.noise && !options.weights.empty())
+    throw BadInput("--weights {}: --noise gives each sample its sigma, and with it its weight: give one of the two",
+                   options.weights);
+  if (options.floor && options.fit.take_sigma())
+    throw BadInput(
+        "--floor {}: --weights sigma and --noise take every reading: to leave out those that are measured low makes the fitted f "
+        "too high; leave --floor out, or --weights sigma and --noise",
+        shortest(*options.floor));
+  if (options.fit.noise && !options.fit.noise->is_given() && options.fit.loss == FitLoss::cauchy)
+    throw BadInput(
+        "--noise {}: an estimate would follow the outliers: --loss cauchy takes a noise that is given, as --noise 2%,1e-3",
+        options.noise);
+}
+
 ExitStatus run(const Options& given, const CommonOptions& common) {
   Options options = given;
   for (const auto& text : options.fixed) fix_parameter(options.fit.choices, text);
   for (const auto& text : options.bounds) bound_parameter(options.fit.choices, text);
   for (const auto& text : options.model) choose_variant(options.fit.switches, text);
-  options.fit.share_s = options.polarization == "s" ? 1 : options.polarization == "p" ? 0 : 0.5;
+  if (!options.noise.empty()) options.fit.noise = noise_choice(options.noise);
   options.fit.weights = options.weights == "sigma"     ? FitWeights::sigma
                         : options.weights == "uniform" ? FitWeights::uniform
                                                        : FitWeights::aoi;
   options.fit.loss = options.loss == "cauchy" ? FitLoss::cauchy : FitLoss::linear;
+  check_statistics(options);
+  if (options.floor) options.fit.floor = *options.floor;
   options.fit.share_geometry = options.share == "geometry";
   std::optional<PartialFile> file;
   file.emplace(options.output, options.force);
   MeasurementOptions measurement_options = options.reading.options();
   measurement_options.merl_samples = options.merl_samples;
   measurement_options.merl_seed = options.merl_seed;
+  measurement_options.light = light_named(options.polarization);
   const Measurement whole = read_measurement(options.data, measurement_options);
   for (const auto& note : whole.notes) say(common, fmt::format("{}: {}", whole.source, note));
   for (const auto& warning : whole.warnings) say(common, fmt::format("warning: {}: {}", whole.source, warning));
@@ -152,6 +174,8 @@ ExitStatus run(const Options& given, const CommonOptions& common) {
   if (!options.report.empty()) write_fit_pictures(engine, problem, summary, options.report, options.force);
   const std::string text = summary_text(problem, summary);
   std::fwrite(text.data(), 1, text.size(), stdout);
+  if (summary.low_readings)
+    say(common, fmt::format("warning: {}: {}", measurement.source, text_of(*summary.low_readings, options.fit)));
   const auto brightest = std::max_element(summary.incidences.begin(), summary.incidences.end(),
                                           [](const auto& a, const auto& b) { return a.dhr < b.dhr; });
   if (brightest->dhr > 1)
@@ -172,35 +196,65 @@ std::function<ExitStatus()> fit_command(CLI::App& parser, const CommonOptions& c
   auto options = std::make_shared<Options>();
   parser
       .add_option("DATA", options->data,
-                  "Measurement: CSV with theta_i_deg, theta_s_deg, phi_deg or phi_s_deg, brdf_per_sr and optionally channel, "
-                  "wavelength_nm or wavelength_um, and sigma; or ALTA text (.alta, .dat), ASTM text (.astm), Zemax tabular BSDF "
-                  "(.bsdf), MERL (.binary)")
+                  "Measurement: CSV with theta_i_deg, theta_s_deg, phi_deg or phi_s_deg, brdf_per_sr (or brdf_s_per_sr and "
+                  "brdf_p_per_sr) and optionally channel, wavelength_nm or wavelength_um, and sigma (or sigma_s and sigma_p); or "
+                  "ALTA text (.alta, .dat), ASTM text (.astm), Zemax tabular BSDF (.bsdf), MERL (.binary)")
       ->required();
   parser.add_option("-o,--output", options->output, "Material file to write (TOML)")->required();
   parser.add_option("--channel", options->channel, "The channel to fit, where the measurement has several");
   parser.add_option("--wavelengths", options->wavelengths, "all: fit every channel to one material with bands")
       ->check(CLI::IsMember({"all"}));
-  parser.add_option("--share", options->share, "What the bands share: geometry (rho, w_a, w_b, gamma, delta, w, n) or none")
+  parser
+      .add_option("--share", options->share,
+                  "What the bands share: geometry (rho, w_a, w_b, gamma, delta, w, n), the default, or none")
       ->check(CLI::IsMember({"geometry", "none"}));
-  parser.add_option("--polarization", options->polarization, "Of the measurement: unpolarized (default), s or p")
-      ->check(CLI::IsMember({"unpolarized", "s", "p"}));
-  parser.add_option("--fix", options->fixed, "Hold a parameter: k_eff=0. Repeatable")->type_name("NAME=VALUE");
-  parser.add_option("--bounds", options->bounds, "Bound a parameter: rho_surface=0.01:2. Repeatable")->type_name("NAME=LOW:HIGH");
-  parser.add_option("--model", options->model, "Variant of the model: reflectance_shadowing=surface. Repeatable")
+  parser
+      .add_option(
+          "--polarization", options->polarization,
+          "The light: unpolarized (default), s, p, or all: s and p fitted together, which tells n_eff from k_eff best. Of CSV "
+          "it takes the column brdf, brdf_s or brdf_p (or brdf_per_sr, brdf_s_per_sr, brdf_p_per_sr); unpolarised f is the "
+          "mean of s and p where only those are there. Of other formats, it says what light all values were measured in")
+      ->check(CLI::IsMember({"unpolarized", "s", "p", "all"}));
+  parser.add_option("--fix", options->fixed, "Hold a parameter: k_eff=0. Repeatable; default: all are free")
+      ->type_name("NAME=VALUE");
+  parser
+      .add_option("--bounds", options->bounds,
+                  "Bound a parameter: rho_surface=0.01:2. Repeatable; default: the ranges that `brdftab parameters` lists")
+      ->type_name("NAME=LOW:HIGH");
+  parser
+      .add_option("--model", options->model,
+                  "Variant of the model: reflectance_shadowing=surface. Repeatable; default: the paper's")
       ->type_name("SWITCH=CHOICE");
   parser.add_option("--starts", options->fit.starts, "Starting points; default 48")->check(CLI::Range(1, 10000));
-  parser.add_option("--seed", options->fit.seed, "Of the starting points");
-  parser.add_option("--max-theta", options->fit.max_theta, "Leave out samples beyond it, degrees")->check(CLI::Range(1., 90.));
-  parser.add_option("--floor", options->fit.floor, "Leave out samples below it, 1/sr")->check(CLI::NonNegativeNumber);
-  parser.add_option("--weights", options->weights, "aoi: each angle of incidence alike (default), uniform, or sigma")
+  parser.add_option("--seed", options->fit.seed, "Of the starting points; default 1");
+  parser
+      .add_option("--max-theta", options->fit.max_theta,
+                  "Leave out samples with theta_i or theta_s beyond it, degrees; default 80")
+      ->check(CLI::Range(1., 90.));
+  parser
+      .add_option("--floor", options->floor,
+                  "Leave out samples at or below it, 1/sr; default 0.002. Only for residuals ln(model/data), which suit noise in "
+                  "proportion to f: where noise reaches the readings left out, f and DHR come out too high")
+      ->check(CLI::NonNegativeNumber);
+  parser
+      .add_option("--weights", options->weights,
+                  "aoi: residuals ln(model/data), each angle of incidence alike (default); uniform: the same, all samples alike; "
+                  "sigma: residuals (model - data)/sigma over all samples, zero and negative ones too, with the column sigma; "
+                  "standard errors are those of sigma, times the root of reduced chi-square where that is above 1")
       ->check(CLI::IsMember({"aoi", "uniform", "sigma"}));
+  parser
+      .add_option(
+          "--noise", options->noise,
+          "In place of a column sigma: sigma^2 = (RELATIVE f)^2 + FLOOR^2 with f of the model, as 2%,1e-3 (FLOOR in 1/sr), "
+          "all samples kept; either part or both may be `estimated`, by maximum likelihood. Default: none")
+      ->type_name("RELATIVE,FLOOR");
   parser.add_option("--loss", options->loss, "linear (default) or cauchy, which outliers hardly move")
       ->check(CLI::IsMember({"linear", "cauchy"}));
   parser
       .add_option("--intervals", options->intervals,
                   "profile: by profile likelihood (default for one channel); linear: from standard errors (default for spectra)")
       ->check(CLI::IsMember({"profile", "linear"}));
-  parser.add_option("--report", options->report, "Folder for pictures (SVG): fit, residuals, V_m, correlations");
+  parser.add_option("--report", options->report, "Folder for pictures (SVG): fit, residuals, V_m, correlations; default: none");
   parser.add_option("--name", options->name, "Of the material; default: the file's");
   parser.add_option("--description", options->description, "Of the material, for its file");
   parser.add_option("--source", options->source, "Of the measurement, for the material file");

@@ -5,6 +5,7 @@
 
 #include "host/commands/command.hpp"
 #include "host/commands/measurement_option.hpp"
+#include "host/measured_light.hpp"
 #include "host/numbers.hpp"
 #include "host/partial_file.hpp"
 #include "host/pictures/picture_file.hpp"
@@ -51,10 +52,7 @@ ExitStatus run(const Options& options, const CommonOptions& common) {
     const Axis axis = parse_axis_option(AxisKind::theta_i, options.theta_i);
     drawn.theta_i.emplace(axis.nodes().begin(), axis.nodes().end());
   }
-  if (!options.polarization.empty())
-    drawn.polarization = options.polarization == "s"   ? Polarization::s
-                         : options.polarization == "p" ? Polarization::p
-                                                       : Polarization::unpolarized;
+  if (!options.polarization.empty()) drawn.polarization = light_named(options.polarization).front();
   drawn.wavelength_nm = options.wavelength_nm;
   std::vector<std::string> of_data = options.reading.given();
   if (!options.channel.empty()) of_data.emplace_back("--channel");
@@ -72,7 +70,9 @@ ExitStatus run(const Options& options, const CommonOptions& common) {
       for (const auto& fault : subject.table().faults) say(common, fmt::format("{}: warning: {}", subject.file(), fault));
   }
   if (!options.data.empty()) {
-    drawn.data = read_data(options.data, options.channel, options.reading.options());
+    MeasurementOptions reading = options.reading.options();
+    reading.light = {drawn_polarization(subjects, drawn)};
+    drawn.data = read_data(options.data, options.channel, reading);
     for (const auto& note : drawn.data->notes) say(common, fmt::format("{}: {}", options.data, note));
     for (const auto& warning : drawn.data->warnings) say(common, fmt::format("{}: warning: {}", options.data, warning));
   }
@@ -103,7 +103,10 @@ std::function<ExitStatus()> plot_command(CLI::App& parser, const CommonOptions& 
   parser.add_option("--kind", options->kind, help)->check(CLI::IsMember(kinds));
   parser.add_option("--theta-i", options->theta_i,
                     "Angles of incidence, degrees: start:stop:step or numbers with commas, at most 9");
-  parser.add_option("--polarization", options->polarization, "Of the light")->check(CLI::IsMember({"unpolarized", "s", "p"}));
+  parser
+      .add_option("--polarization", options->polarization,
+                  "Of the light, and of --data as in fit; default: unpolarized, or what a table has")
+      ->check(CLI::IsMember({"unpolarized", "s", "p"}));
   parser.add_option("--wavelength", options->wavelength_nm, "Band of a material with bands, nm");
   parser.add_option("--data", options->data, "Measured BRDF, drawn as points in the plane of incidence; read as by fit");
   parser.add_option("--channel", options->channel, "Channel of --data");

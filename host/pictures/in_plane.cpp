@@ -1,5 +1,8 @@
 #include "host/pictures/in_plane.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 
 #include "host/numbers.hpp"
@@ -25,10 +28,17 @@ std::vector<InPlaneScan> in_plane_scans(std::span<const MeasuredSample> samples,
   std::vector<InPlaneScan> scans;
   for (const double theta_i : incidences.angles()) scans.push_back({theta_i, {}});
   for (const MeasuredSample& sample : samples)
-    if (const auto theta_s = in_plane_theta_s(sample.pair))
+    if (const auto theta_s = in_plane_theta_s(sample.pair); theta_s && sample.brdf > 0)
       scans[incidences.index(sample.pair.theta_i)].points.push_back({*theta_s, sample.brdf});
   std::erase_if(scans, [](const InPlaneScan& scan) { return scan.points.empty(); });
   return scans;
+}
+
+std::string not_drawn_note(std::span<const MeasuredSample> samples) {
+  const auto count = std::count_if(samples.begin(), samples.end(), [](const MeasuredSample& sample) {
+    return !(sample.brdf > 0) && in_plane_theta_s(sample.pair).has_value();
+  });
+  return count > 0 ? fmt::format("not drawn: {} at or below 0", count) : "";
 }
 
 ChartAxis theta_s_axis() { return {"scatter angle θ_s (degrees; forward side positive)", -90, 90, false, 30}; }

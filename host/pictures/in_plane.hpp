@@ -25,8 +25,12 @@ struct InPlaneScan {
   std::vector<ChartPoint> points;
 };
 
-/// By increasing theta_i; the samples' angles are among those of `incidences`.
+/// By increasing theta_i; the samples' angles are among those of `incidences`. Readings at or below 0, which noise makes, have no
+/// place on a logarithmic axis: they are left out.
 std::vector<InPlaneScan> in_plane_scans(std::span<const MeasuredSample> samples, const Incidences& incidences);
+
+/// For a chart: how many readings in plane are left out for that; empty where none are.
+std::string not_drawn_note(std::span<const MeasuredSample> samples);
 
 /// -90 to 90 degrees; with a short name for panels beside each other.
 ChartAxis theta_s_axis();

@@ -94,6 +94,7 @@ Chart in_plane_chart(std::span<const Subject> subjects, const PlotOptions& optio
   if (any_table) chart.notes = {"curves: the model", "dots: nodes of the table"};
   if (!measured.empty()) {
     chart.notes = {"curves: the model", "dots: measured"};
+    if (const std::string note = not_drawn_note(options.data->samples); !note.empty()) chart.notes.push_back(note);
     if (shown < measured.size()) chart.notes.push_back(fmt::format("at {} of {} θ_i", shown, measured.size()));
   }
   const ChartAxis y = axis_around(chart.panels);
