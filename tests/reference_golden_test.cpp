@@ -26,10 +26,12 @@ namespace fs = std::filesystem;
 // 60-digit evaluation, and the reference 1e-16.
 constexpr double brdf_tolerance = 2e-11;
 constexpr double normalization_tolerance = 1e-11;
-constexpr double dhr_tolerance = 1e-10;
+// The reflectances of random-4 are up to 2.4e-9 off in the golden values, at 89.5°. At 35° they are 2.8e-10 off, and an integral of
+// 240 000 nodes in azimuth gives the reference's digits.
+constexpr double dhr_tolerance = 3e-9;
 // Without k_eff, √R_p has a kink at Brewster's angle, which the golden quadrature does not
-// resolve: its brown vinyl is up to 7e-7 off, refined integrals agree with the reference.
-constexpr double dhr_tolerance_over_a_kink = 1e-6;
+// resolve: its brown vinyl is up to 8e-8 off, refined integrals agree with the reference.
+constexpr double dhr_tolerance_over_a_kink = 1e-7;
 
 const fs::path shared = BRDFTAB_SHARED_DIR;
 

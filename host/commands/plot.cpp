@@ -73,8 +73,6 @@ ExitStatus run(const Options& options, const CommonOptions& common) {
     MeasurementOptions reading = options.reading.options();
     reading.light = {drawn_polarization(subjects, drawn)};
     drawn.data = read_data(options.data, options.channel, reading);
-    for (const auto& note : drawn.data->notes) say(common, fmt::format("{}: {}", options.data, note));
-    for (const auto& warning : drawn.data->warnings) say(common, fmt::format("{}: warning: {}", options.data, warning));
   }
   std::optional<Engine> engine;
   const auto engine_source = [&]() -> const Engine& {
@@ -84,7 +82,12 @@ ExitStatus run(const Options& options, const CommonOptions& common) {
     }
     return *engine;
   };
-  file.write(plot(row, subjects, drawn, engine_source));
+  const auto picture = plot(row, subjects, drawn, engine_source);
+  if (drawn.data) {
+    for (const auto& note : drawn.data->notes) say(common, fmt::format("{}: {}", options.data, note));
+    for (const auto& warning : drawn.data->warnings) say(common, fmt::format("{}: warning: {}", options.data, warning));
+  }
+  file.write(picture);
   return ExitStatus::done;
 }
 
