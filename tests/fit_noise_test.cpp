@@ -10,6 +10,7 @@
 #include "host/integrals.hpp"
 #include "host/material.hpp"
 #include "host/reference/model.hpp"
+#include "tests/fit_device.hpp"
 
 namespace brdftab {
 namespace {
@@ -38,15 +39,8 @@ Measurement noisy(const Parameters& truth, const NoiseModel& noise, double step_
   return measurement;
 }
 
-class FitNoise : public testing::Test {
+class FitNoise : public OnFitDevice {
  protected:
-  void SetUp() override {
-    if (!select_device(std::nullopt).has_fp64) GTEST_SKIP() << "the device has no fp64";
-  }
-  static const Engine& engine() {
-    static const Engine engine(select_device(std::nullopt), Precision::float64, Precision::float32);
-    return engine;
-  }
   static double dhr_at_normal_incidence(const Parameters& parameters) {
     const double normal[] = {0};
     return integrals(engine(), {std::nullopt, parameters}, {}, normal).dhr.total(0, Polarization::unpolarized);

@@ -11,6 +11,7 @@
 #include "host/material.hpp"
 #include "host/measured_light.hpp"
 #include "host/reference/model.hpp"
+#include "tests/fit_device.hpp"
 
 namespace brdftab {
 namespace {
@@ -47,15 +48,8 @@ std::string refusal(const std::string& columns, const std::string& light) {
   return "accepted";
 }
 
-class FitPolarization : public testing::Test {
+class FitPolarization : public OnFitDevice {
  protected:
-  void SetUp() override {
-    if (!select_device(std::nullopt).has_fp64) GTEST_SKIP() << "the device has no fp64";
-  }
-  static const Engine& engine() {
-    static const Engine engine(select_device(std::nullopt), Precision::float64, Precision::float32);
-    return engine;
-  }
   static FitOptions options(std::size_t starts) {
     FitOptions result;
     result.starts = starts;

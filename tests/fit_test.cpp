@@ -8,6 +8,7 @@
 #include "bench/synthetic.hpp"
 #include "host/error.hpp"
 #include "host/fit_summary.hpp"
+#include "tests/fit_device.hpp"
 #include "tests/random_materials.hpp"
 
 namespace brdftab {
@@ -16,15 +17,8 @@ namespace {
 // All terms matter and none is at a bound.
 constexpr Parameters paint{1.5, 0.3, 0.8, 0.25, 0.3, 1.2, 0.1, 0.3, 0.3, 0.3, 2, 1, 1, 4};
 
-class FitTest : public testing::Test {
+class FitTest : public OnFitDevice {
  protected:
-  void SetUp() override {
-    if (!select_device(std::nullopt).has_fp64) GTEST_SKIP() << "the device has no fp64";
-  }
-  static const Engine& engine() {
-    static const Engine engine(select_device(std::nullopt), Precision::float64, Precision::float32);
-    return engine;
-  }
   static FitOptions options(std::size_t starts = 16) {
     FitOptions result;
     result.starts = starts;
