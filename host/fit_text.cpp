@@ -104,6 +104,12 @@ std::string incidence_text(const IncidenceFit& at, std::string_view to) {
   return at.first == at.last ? shortest(at.theta_i) : fmt::format("{}{}{}", shortest(at.first), to, shortest(at.last));
 }
 
+// TOML takes digits after a point, and no point alone.
+std::string toml_float(double value) {
+  const std::string text = shortest(value);
+  return text.find_first_of(".e") == text.npos ? text + ".0" : text;
+}
+
 // A TOML basic string.
 std::string toml_string(std::string_view text) {
   std::string result = "\"";
@@ -229,7 +235,7 @@ std::string material_text(const FitProblem& problem, const FitSummary& summary, 
   if (!model.empty()) text += "\n[model]\n" + model;
   if (problem.bands().size() > 1)
     for (std::size_t b = 0; b < problem.bands().size(); ++b) {
-      text += fmt::format("\n[[band]]\nwavelength_nm = {:#}\n", *problem.bands()[b].wavelength_nm);
+      text += fmt::format("\n[[band]]\nwavelength_nm = {}\n", toml_float(*problem.bands()[b].wavelength_nm));
       for (std::size_t p = 0; p < parameter_table.size(); ++p)
         for (const FitVariable& variable : problem.variables())
           if (variable.parameter == p && variable.bands.size() == 1 && variable.bands.front() == b)
