@@ -13,13 +13,6 @@ namespace {
 
 using Channels = std::vector<std::vector<double>>;
 
-double portion(std::vector<double>& values, double share) {
-  if (values.empty()) return 0;
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
-}
-
 ReadValues read_values(const ExportedTable& table, const ExportSource& source, const Directions& directions) {
   ReadValues result{directions, table.evaluate(directions), {}};
   if (directions.size() > 0) result.model = in_channels(table.channels(), source, source.evaluate(directions));
@@ -70,6 +63,13 @@ std::string text(const ConsumerError& error) {
 }
 
 }  // namespace
+
+double portion(std::vector<double>& values, double share) {
+  if (values.empty()) return 0;
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
 
 ReadExport read_export(const ExportedTable& table, const ExportSource& source, const ExportDirections& directions) {
   return {read_values(table, source, directions.uniform), read_values(table, source, directions.near_mirror),

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "host/export_directions.hpp"
 #include "host/export_format.hpp"
@@ -47,6 +48,9 @@ struct ExportErrors {
 };
 
 ExportErrors export_errors(const ReadExport& read, const ExportSource& source);
+
+/// The value that a share, 0 to 1, of the values does not exceed; 0 of none. Reorders them.
+double portion(std::vector<double>& values, double share);
 
 /// As many uniform directions as this are drawn, and as many about the peaks, where the user does not say.
 inline constexpr std::size_t default_directions = 10'000;

@@ -26,12 +26,6 @@ struct Region {
   std::vector<std::size_t> members;
 };
 
-double portion(std::vector<double> values, double share) {
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
-}
-
 std::array<double, 3> statistics(const Region& region, const std::vector<double>& read, const std::vector<double>& model) {
   std::vector<double> errors;
   double difference = 0, sum = 0;
