@@ -10,9 +10,9 @@
 #include <mutex>
 #include <thread>
 
-#include "host/error.hpp"
-#include "host/evaluate.hpp"
-#include "host/integrals.hpp"
+#include "host/base/error.hpp"
+#include "host/compute/evaluate.hpp"
+#include "host/compute/integrals.hpp"
 #include "host/reference/model.hpp"
 #include "tests/random_materials.hpp"
 

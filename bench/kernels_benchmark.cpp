@@ -3,8 +3,8 @@
 // usage: kernels_benchmark MATERIAL.toml [Google Benchmark's options]
 #include <benchmark/benchmark.h>
 
-#include "host/error.hpp"
-#include "host/workload.hpp"
+#include "host/base/error.hpp"
+#include "host/commands/bench/bench_workload.hpp"
 
 int main(int argc, char** argv) {
   benchmark::Initialize(&argc, argv);

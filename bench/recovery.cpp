@@ -9,7 +9,7 @@
 #include <map>
 
 #include "bench/synthetic.hpp"
-#include "host/fit_summary.hpp"
+#include "host/fit/fit_summary.hpp"
 #include "tests/random_materials.hpp"
 
 namespace {

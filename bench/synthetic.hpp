@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "host/measurement.hpp"
+#include "host/model/measurement/measurement.hpp"
 #include "host/reference/model.hpp"
 
 namespace brdftab {

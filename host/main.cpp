@@ -7,10 +7,10 @@
 #include <new>
 
 #include "host/commands/command.hpp"
-#include "host/interrupt.hpp"
-#include "host/opencl.hpp"
-#include "host/pocl_cache.hpp"
-#include "host/table_content.hpp"
+#include "host/base/interrupt.hpp"
+#include "host/compute/opencl/opencl.hpp"
+#include "host/compute/opencl/pocl_cache.hpp"
+#include "host/table/table_content.hpp"
 
 namespace brdftab {
 namespace {

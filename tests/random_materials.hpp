@@ -8,7 +8,7 @@
 #include <random>
 #include <string>
 
-#include "host/parameters.hpp"
+#include "host/model/parameters.hpp"
 
 namespace brdftab {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "host/numbers.hpp"
+#include "host/base/numbers.hpp"
 
 namespace brdftab {
 

@@ -6,9 +6,9 @@
 #include <optional>
 #include <string>
 
-#include "host/axis.hpp"
-#include "host/engine.hpp"
-#include "host/error.hpp"
+#include "host/model/axis.hpp"
+#include "host/compute/opencl/engine.hpp"
+#include "host/base/error.hpp"
 
 namespace brdftab {
 

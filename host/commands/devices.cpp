@@ -1,5 +1,5 @@
 #include "host/commands/command.hpp"
-#include "host/device.hpp"
+#include "host/compute/opencl/device.hpp"
 
 namespace brdftab {
 

@@ -1,4 +1,4 @@
-#include "host/evaluate.hpp"
+#include "host/compute/evaluate.hpp"
 
 #include <cmath>
 #include <filesystem>
@@ -7,8 +7,8 @@
 #include <random>
 
 #include "host/commands/command.hpp"
-#include "host/numbers.hpp"
-#include "host/partial_file.hpp"
+#include "host/base/numbers.hpp"
+#include "host/base/partial_file.hpp"
 
 namespace brdftab {
 namespace {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <chrono>
 
-#include "host/export_errors.hpp"
-#include "host/numbers.hpp"
-#include "host/partial_file.hpp"
+#include "host/formats/export/export_errors.hpp"
+#include "host/base/numbers.hpp"
+#include "host/base/partial_file.hpp"
 
 namespace brdftab {
 namespace {

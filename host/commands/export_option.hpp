@@ -2,8 +2,8 @@
 #pragma once
 
 #include "host/commands/command.hpp"
-#include "host/commands/output_plan.hpp"
-#include "host/export_format.hpp"
+#include "host/commands/outputs.hpp"
+#include "host/formats/format.hpp"
 
 namespace brdftab {
 

@@ -6,12 +6,12 @@
 
 #include "host/commands/command.hpp"
 #include "host/commands/measurement_option.hpp"
-#include "host/fit_pictures.hpp"
-#include "host/fit_summary.hpp"
-#include "host/measured_light.hpp"
-#include "host/numbers.hpp"
-#include "host/partial_file.hpp"
-#include "host/switches.hpp"
+#include "host/pictures/fit_pictures.hpp"
+#include "host/fit/fit_summary.hpp"
+#include "host/model/measurement/measured_light.hpp"
+#include "host/base/numbers.hpp"
+#include "host/base/partial_file.hpp"
+#include "host/model/variant.hpp"
 
 namespace brdftab {
 namespace {

@@ -1,4 +1,4 @@
-#include "host/generate.hpp"
+#include "host/table/generate.hpp"
 
 #include <fmt/chrono.h>
 
@@ -9,11 +9,11 @@
 #include "host/commands/command.hpp"
 #include "host/commands/export_option.hpp"
 #include "host/commands/interpolation_option.hpp"
-#include "host/commands/output_plan.hpp"
-#include "host/exr_table.hpp"
-#include "host/hdf5_table.hpp"
-#include "host/mantissa.hpp"
-#include "host/numbers.hpp"
+#include "host/commands/outputs.hpp"
+#include "host/formats/exr/exr_table.hpp"
+#include "host/formats/hdf5/hdf5_table.hpp"
+#include "host/compute/rounding.hpp"
+#include "host/base/numbers.hpp"
 
 namespace brdftab {
 namespace {

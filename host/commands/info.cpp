@@ -2,8 +2,8 @@
 #include <nlohmann/json.hpp>
 
 #include "host/commands/command.hpp"
-#include "host/numbers.hpp"
-#include "host/table_reader.hpp"
+#include "host/base/numbers.hpp"
+#include "host/table/table_reader.hpp"
 
 namespace brdftab {
 namespace {

@@ -1,9 +1,9 @@
 #include <cstdio>
 
 #include "host/commands/command.hpp"
-#include "host/energy.hpp"
-#include "host/integrals.hpp"
-#include "host/numbers.hpp"
+#include "host/table/energy.hpp"
+#include "host/compute/integrals.hpp"
+#include "host/base/numbers.hpp"
 
 namespace brdftab {
 namespace {

@@ -1,6 +1,6 @@
 #include "host/commands/interpolation_option.hpp"
 
-#include "host/numbers.hpp"
+#include "host/base/numbers.hpp"
 
 namespace brdftab {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "host/commands/command.hpp"
-#include "host/grid_choice.hpp"
+#include "host/table/grid_choice.hpp"
 
 namespace brdftab {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "host/measurement.hpp"
+#include "host/model/measurement/measurement.hpp"
 
 namespace brdftab {
 

@@ -1,6 +1,6 @@
-#include "host/axis.hpp"
+#include "host/model/axis.hpp"
 #include "host/commands/command.hpp"
-#include "host/switches.hpp"
+#include "host/model/variant.hpp"
 
 namespace brdftab {
 

@@ -5,10 +5,10 @@
 
 #include "host/commands/command.hpp"
 #include "host/commands/measurement_option.hpp"
-#include "host/measured_light.hpp"
-#include "host/numbers.hpp"
-#include "host/partial_file.hpp"
-#include "host/pictures/picture_file.hpp"
+#include "host/model/measurement/measured_light.hpp"
+#include "host/base/numbers.hpp"
+#include "host/base/partial_file.hpp"
+#include "host/pictures/drawing/picture_file.hpp"
 
 namespace brdftab {
 namespace {

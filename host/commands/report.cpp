@@ -1,13 +1,13 @@
-#include "host/pictures/report.hpp"
+#include "host/pictures/report/report.hpp"
 
 #include <filesystem>
 
 #include "host/commands/command.hpp"
-#include "host/generate.hpp"
-#include "host/hdf5_table.hpp"
-#include "host/partial_file.hpp"
-#include "host/pictures/embedded_table.hpp"
-#include "host/pictures/picture_file.hpp"
+#include "host/table/generate.hpp"
+#include "host/formats/hdf5/hdf5_table.hpp"
+#include "host/base/partial_file.hpp"
+#include "host/pictures/report/embedded_table.hpp"
+#include "host/pictures/drawing/picture_file.hpp"
 
 namespace brdftab {
 namespace {

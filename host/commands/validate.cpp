@@ -1,10 +1,10 @@
-#include "host/validate.hpp"
+#include "host/table/validation/validate.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include "host/commands/command.hpp"
 #include "host/commands/validate_export.hpp"
-#include "host/numbers.hpp"
+#include "host/base/numbers.hpp"
 
 namespace brdftab {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "host/commands/output_plan.hpp"
-#include "host/export_verdict.hpp"
-#include "host/numbers.hpp"
+#include "host/commands/outputs.hpp"
+#include "host/formats/export/export_verdict.hpp"
+#include "host/base/numbers.hpp"
 
 namespace brdftab {
 namespace {

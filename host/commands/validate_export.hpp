@@ -2,7 +2,7 @@
 #pragma once
 
 #include "host/commands/command.hpp"
-#include "host/export_format.hpp"
+#include "host/formats/format.hpp"
 
 namespace brdftab {
 

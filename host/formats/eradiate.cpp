@@ -3,11 +3,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "host/error.hpp"
-#include "host/formats/formats.hpp"
-#include "host/grid_samples.hpp"
-#include "host/hdf5_file.hpp"
-#include "host/table_attributes.hpp"
+#include "host/base/error.hpp"
+#include "host/formats/registry.hpp"
+#include "host/formats/export/grid_samples.hpp"
+#include "host/formats/hdf5/hdf5_file.hpp"
+#include "host/table/table_attributes.hpp"
 
 namespace brdftab {
 namespace {

@@ -9,15 +9,15 @@
 #include <map>
 #include <set>
 
-#include "host/error.hpp"
-#include "host/export_text.hpp"
-#include "host/formats/formats.hpp"
-#include "host/formats/grid_table.hpp"
-#include "host/grid_samples.hpp"
-#include "host/numbers.hpp"
-#include "host/surface_vector.hpp"
-#include "host/table_content.hpp"
-#include "host/whole_file.hpp"
+#include "host/base/error.hpp"
+#include "host/formats/export/export_text.hpp"
+#include "host/formats/registry.hpp"
+#include "host/formats/export/grid_table.hpp"
+#include "host/formats/export/grid_samples.hpp"
+#include "host/base/numbers.hpp"
+#include "host/model/surface_vector.hpp"
+#include "host/table/table_content.hpp"
+#include "host/base/whole_file.hpp"
 
 namespace brdftab {
 namespace {

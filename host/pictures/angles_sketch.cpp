@@ -6,7 +6,7 @@
 #include <functional>
 #include <numbers>
 
-#include "host/pictures/svg.hpp"
+#include "host/pictures/drawing/svg.hpp"
 
 namespace brdftab {
 namespace {

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "host/integrals.hpp"
-#include "host/pictures/chart.hpp"
+#include "host/compute/integrals.hpp"
+#include "host/pictures/drawing/chart.hpp"
 #include "host/pictures/plot.hpp"
-#include "host/pictures/smooth_curve.hpp"
+#include "host/pictures/drawing/smooth_curve.hpp"
 
 namespace brdftab {
 namespace {

@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "host/pictures/png.hpp"
-#include "host/pictures/svg.hpp"
+#include "host/pictures/drawing/png.hpp"
+#include "host/pictures/drawing/svg.hpp"
 
 namespace brdftab {
 namespace {

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "host/direction_list.hpp"
-#include "host/pictures/chart_axis.hpp"
-#include "host/pictures/palette.hpp"
+#include "host/model/direction_list.hpp"
+#include "host/pictures/drawing/chart_axis.hpp"
+#include "host/pictures/drawing/palette.hpp"
 
 namespace brdftab {
 

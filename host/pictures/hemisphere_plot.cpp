@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "host/error.hpp"
-#include "host/numbers.hpp"
+#include "host/base/error.hpp"
+#include "host/base/numbers.hpp"
 #include "host/pictures/hemisphere_figure.hpp"
 #include "host/pictures/in_plane.hpp"
 #include "host/pictures/plot.hpp"

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "host/numbers.hpp"
-#include "host/pictures/smooth_curve.hpp"
+#include "host/base/numbers.hpp"
+#include "host/pictures/drawing/smooth_curve.hpp"
 
 namespace brdftab {
 namespace {

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "host/direction_list.hpp"
-#include "host/measurement.hpp"
-#include "host/pictures/chart.hpp"
+#include "host/model/direction_list.hpp"
+#include "host/model/measurement/measurement.hpp"
+#include "host/pictures/drawing/chart.hpp"
 
 namespace brdftab {
 

@@ -3,11 +3,11 @@
 #include <cmath>
 #include <vector>
 
-#include "host/error.hpp"
-#include "host/numbers.hpp"
+#include "host/base/error.hpp"
+#include "host/base/numbers.hpp"
 #include "host/pictures/in_plane.hpp"
 #include "host/pictures/plot.hpp"
-#include "host/pictures/smooth_curve.hpp"
+#include "host/pictures/drawing/smooth_curve.hpp"
 #include "host/pictures/table_slice.hpp"
 
 namespace brdftab {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "host/error.hpp"
-#include "host/numbers.hpp"
-#include "host/pictures/svg.hpp"
+#include "host/base/error.hpp"
+#include "host/base/numbers.hpp"
+#include "host/pictures/drawing/svg.hpp"
 
 namespace brdftab {
 namespace {

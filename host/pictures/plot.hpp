@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "host/measurement.hpp"
+#include "host/model/measurement/measurement.hpp"
 #include "host/pictures/subject.hpp"
 
 namespace brdftab {

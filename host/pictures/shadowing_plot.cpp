@@ -3,8 +3,8 @@
 
 #include "host/pictures/in_plane.hpp"
 #include "host/pictures/plot.hpp"
-#include "host/pictures/shadowing.hpp"
-#include "host/pictures/smooth_curve.hpp"
+#include "host/pictures/shadowing_plot.hpp"
+#include "host/pictures/drawing/smooth_curve.hpp"
 #include "host/reference/reflectance_shadowing.hpp"
 #include "host/reference/width_shadowing.hpp"
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "host/error.hpp"
-#include "host/export_format.hpp"
-#include "host/numbers.hpp"
-#include "host/sampled_model.hpp"
+#include "host/base/error.hpp"
+#include "host/formats/format.hpp"
+#include "host/base/numbers.hpp"
+#include "host/compute/sampled_model.hpp"
 
 namespace brdftab {
 namespace {

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "host/engine.hpp"
-#include "host/evaluate.hpp"
-#include "host/stored_table.hpp"
-#include "host/table_reader.hpp"
+#include "host/compute/opencl/engine.hpp"
+#include "host/compute/evaluate.hpp"
+#include "host/table/validation/stored_table.hpp"
+#include "host/table/table_reader.hpp"
 
 namespace brdftab {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "host/error.hpp"
+#include "host/base/error.hpp"
 #include "host/pictures/hemisphere_figure.hpp"
 
 namespace brdftab {

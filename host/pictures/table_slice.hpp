@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "host/pictures/chart.hpp"
+#include "host/pictures/drawing/chart.hpp"
 #include "host/pictures/subject.hpp"
 
 namespace brdftab {

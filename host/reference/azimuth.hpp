@@ -1,7 +1,7 @@
 // The integral over φ of one lobe times V_m, at fixed θ_i and θ_s.
 #pragma once
 
-#include "../parameters.hpp"
+#include "host/model/parameters.hpp"
 #include "polar_path.hpp"
 #include "reflectance_shadowing.hpp"
 

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "../parameters.hpp"
+#include "host/model/parameters.hpp"
 #include "azimuth.hpp"
 #include "fresnel.hpp"
 #include "normalization.hpp"

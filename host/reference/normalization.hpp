@@ -2,7 +2,7 @@
 // by adaptive quadrature over the disc of direction cosines.
 #pragma once
 
-#include "../parameters.hpp"
+#include "host/model/parameters.hpp"
 #include "polar_path.hpp"
 
 namespace brdftab::reference {

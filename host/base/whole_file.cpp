@@ -1,0 +1,34 @@
+#include "host/base/whole_file.hpp"
+
+#include <cerrno>
+#include <fstream>
+#include <system_error>
+
+#include "host/base/error.hpp"
+#include "host/base/interrupt.hpp"
+
+namespace brdftab {
+
+std::string read_whole(const std::filesystem::path& file) {
+  std::error_code error;
+  if (std::filesystem::is_directory(file, error)) throw FileError("{}: is a folder", file.string());
+  std::ifstream in(file, std::ios::binary);
+  if (!in) throw FileError("{}: cannot be opened: {}", file.string(), std::generic_category().message(errno));
+  std::string bytes;
+  in.seekg(0, std::ios::end);
+  if (const auto size = in.tellg(); size > 0) bytes.resize(static_cast<std::size_t>(size));
+  in.seekg(0);
+  in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  if (!in) throw FileError("{}: cannot be read", file.string());
+  return bytes;
+}
+
+void write_whole(const std::filesystem::path& file, std::string_view bytes) {
+  stop_if_interrupted();
+  std::ofstream out(file, std::ios::binary | std::ios::trunc);
+  out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  out.close();
+  if (!out) throw FileError("{}: cannot be written: {}", file.string(), std::generic_category().message(errno));
+}
+
+}  // namespace brdftab

@@ -1,0 +1,131 @@
+// The least-squares problem of a fit: samples with weights, variables with bounds, residuals and their derivatives.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "host/fit/fit_variable.hpp"
+#include "host/fit/gradient_batch.hpp"
+#include "host/model/measurement/measurement.hpp"
+#include "host/fit/noise_model.hpp"
+
+namespace brdftab {
+
+enum class FitWeights { aoi, uniform, sigma };
+enum class FitLoss { linear, cauchy };
+
+struct FitOptions {
+  std::vector<ParameterChoice> choices = default_choices();
+  std::size_t starts = 48;
+  std::uint64_t seed = 1;
+  /// Samples beyond it, in degrees, are left out.
+  double max_theta = 80;
+  /// Samples with f at or below it, in 1/sr, are left out where residuals are ln(model/data).
+  double floor = 2e-3;
+  FitWeights weights = FitWeights::aoi;
+  /// In place of weights: what gives each sample its sigma.
+  std::optional<NoiseChoice> noise;
+
+  /// Whether residuals are (model - data)/sigma, over all samples, and not ln(model/data).
+  bool take_sigma() const { return noise.has_value() || weights == FitWeights::sigma; }
+  FitLoss loss = FitLoss::linear;
+  /// Between the channels of a spectrum: rho, V and V_m; otherwise nothing.
+  bool share_geometry = true;
+  ModelSwitches switches;
+};
+
+/// The samples of one channel that a fit uses.
+struct FitBand {
+  std::string channel;
+  std::optional<double> wavelength_nm;
+  std::vector<MeasuredSample> samples;
+  /// Within max_theta, but at or below the floor.
+  std::vector<MeasuredSample> below_floor;
+  /// Of each sample, 1/sr; empty where residuals are ln(model/data).
+  std::vector<double> sigma;
+  /// Of each residual; their mean over all bands is 1.
+  std::vector<double> weights;
+};
+
+class FitProblem {
+ public:
+  /// Each channel of the measurement is a band. Throws BadInput where too little is left to fit.
+  FitProblem(const Engine& engine, const Measurement& measurement, const FitOptions& options);
+
+  const std::vector<FitBand>& bands() const { return bands_; }
+  const std::vector<FitVariable>& variables() const { return variables_; }
+  /// The settings of theta_i among the samples, of all bands together.
+  const Incidences& incidences() const { return *incidences_; }
+  double incidence_width() const { return incidence_width_; }
+  std::size_t samples() const { return samples_; }
+  /// Share of s-polarised light that all samples have; 1/2 where they differ.
+  double share_s() const;
+  bool is_of_one_light() const;
+  /// Samples left out by max_theta and by the floor.
+  std::size_t beyond_max_theta() const { return beyond_max_theta_; }
+  std::size_t below_floor() const { return below_floor_; }
+  GradientBatch& batch() const { return *batch_; }
+  const FitOptions& options() const { return options_; }
+
+  /// Where there is a noise model: that of the sigmas in force.
+  const std::optional<NoiseModel>& noise() const { return noise_; }
+  /// Estimates what is not given of the noise model, and sets each sample's sigma by it, with f of the model at u; `freedom` is
+  /// 1 - leverage of each sample there. Returns the largest relative change of a sigma.
+  double update_noise(std::span<const double> u, std::span<const double> freedom);
+
+  /// Scale of the Cauchy loss, in units of the residuals; infinite: no loss.
+  double loss_scale = std::numeric_limits<double>::infinity();
+
+  std::vector<Parameters> parameters(std::span<const double> u) const;
+  std::vector<double> solver_variables(std::span<const Parameters> bands) const;
+
+  /// sqrt(weight) times the misfit, with the loss applied, and, row-major, its derivatives by the solver's variables.
+  struct Residuals {
+    std::vector<double> values;
+    std::vector<double> jacobian;
+    /// Sum of squares; infinite where the model is not a number.
+    double cost;
+  };
+  Residuals residuals(std::span<const double> u) const;
+
+  /// ln(model/data) or, where the fit takes sigma, (model - data)/sigma of one band.
+  std::vector<double> misfits(const BandValues& values, std::size_t band) const;
+  /// What f is divided by in a misfit: the datum, or sigma, 1/sr.
+  double unit(std::size_t band, std::size_t sample) const;
+  /// ln(model/data) of one band; nan where the datum is not above 0.
+  std::vector<double> log_ratios(const BandValues& values, std::size_t band) const;
+  /// Square roots of the mean square of ln(model/data), over the samples above the floor alike, and over the means of each
+  /// setting of theta_i of each band; nan where no sample is above it.
+  struct LogRms {
+    double of_samples, of_incidences;
+    std::size_t samples;
+  };
+  LogRms log_rms(std::span<const double> u) const;
+
+  /// ln f of a material, and its derivatives, at the directions of samples, each in its light and as the measurement has them.
+  LogBrdfValues values_at(const Engine& engine, const std::vector<MeasuredSample>& samples, const Parameters& parameters) const;
+
+ private:
+  LogBrdfGradients gradients_at(const Engine& engine, const std::vector<MeasuredSample>& samples) const;
+  void take_samples(const Measurement& measurement);
+  void weigh();
+  void guess_sigma();
+  void make_variables();
+
+  FitOptions options_;
+  std::vector<FitBand> bands_;
+  std::optional<Incidences> incidences_;
+  double incidence_width_ = 0;
+  bool mean_of_exchanges_ = false;
+  std::vector<FitVariable> variables_;
+  std::vector<Parameters> fixed_;
+  std::optional<NoiseModel> noise_;
+  std::size_t samples_ = 0;
+  std::size_t beyond_max_theta_ = 0;
+  std::size_t below_floor_ = 0;
+  std::unique_ptr<GradientBatch> batch_;
+};
+
+}  // namespace brdftab

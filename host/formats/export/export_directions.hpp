@@ -1,0 +1,23 @@
+// Where a simulator's file is compared with the model: random pairs of directions at which it has samples.
+#pragma once
+
+#include "host/formats/format.hpp"
+
+namespace brdftab {
+
+/// By a fixed seed. Polar angles end at 89.9 degrees, short of where the model does.
+struct ExportDirections {
+  /// Uniform in the solid angle of both directions.
+  Directions uniform;
+  /// Within 0.001 to 30 degrees of the mirror direction, and of the retro-reflected one, uniform in the distance's logarithm and
+  /// moved to where the file has samples. Few or none where it has none so near.
+  Directions near_mirror, near_retro;
+  /// Ranges they are drawn from, degrees; and their share of all pairs of directions above the surface, by solid angle.
+  AngleRange theta_i, theta_s, phi;
+  double share = 0;
+};
+
+/// `count` of them uniform, and as many about both peaks together.
+ExportDirections export_directions(const ExportedTable& table, std::size_t count);
+
+}  // namespace brdftab

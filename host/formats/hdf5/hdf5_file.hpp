@@ -1,0 +1,51 @@
+// A new HDF5 file whose root-level datasets have named axes, as netCDF, h5py and MATLAB see them.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "host/table/attribute.hpp"
+#include "host/formats/hdf5/hdf5_handle.hpp"
+
+namespace brdftab {
+
+/// Of a dataset that is the same, byte for byte, whenever it is made.
+Hdf5Handle hdf5_dataset_properties();
+
+void write_attributes(hid_t object, const std::vector<AttributeInfo>& attributes);
+
+class Hdf5File {
+ public:
+  /// `oldest`: the oldest library that is to read it. Throws FileError.
+  Hdf5File(const std::filesystem::path& path, H5F_libver_t oldest);
+
+  hid_t id() const { return file_; }
+
+  /// To the root.
+  void write_attributes(const std::vector<AttributeInfo>& attributes);
+
+  /// A coordinate variable, float64. `standard_name`: of the CF conventions; empty where they have none.
+  void create_scale(const std::string& name, std::span<const double> nodes, std::string_view units, std::string_view long_name,
+                    std::string_view standard_name);
+
+  /// A dataset over coordinate variables made before, not yet written.
+  Hdf5Handle create_variable(const std::string& name, const std::vector<std::string>& dimensions, hid_t type,
+                             std::string_view units, const std::string& long_name, const Hdf5Handle& creation) const;
+
+  std::vector<hsize_t> shape_of(const std::vector<std::string>& dimensions) const;
+
+  /// Once all datasets are closed. Throws FileError.
+  void close();
+
+ private:
+  std::filesystem::path path_;
+  Hdf5Handle file_;
+  std::map<std::string, hsize_t> sizes_;
+  std::map<std::string, Hdf5Handle> scales_;
+};
+
+}  // namespace brdftab

@@ -1,3 +1,0 @@
-#define BRDFTAB_WORKING_DOUBLE 1
-#define BRDFTAB_REAL double
-#include "host/kernels_on_host.inc"

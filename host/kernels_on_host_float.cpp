@@ -1,3 +1,0 @@
-#define BRDFTAB_WORKING_DOUBLE 0
-#define BRDFTAB_REAL float
-#include "host/kernels_on_host.inc"

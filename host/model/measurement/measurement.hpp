@@ -1,0 +1,104 @@
+// A measured BRDF: what a file holds, cleaned and counted, before any model is fitted to it.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <istream>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "host/model/measurement/angle_unit.hpp"
+#include "host/model/direction_list.hpp"
+#include "host/model/measurement/incidences.hpp"
+#include "host/model/polarization.hpp"
+#include "host/model/measurement/value_kind.hpp"
+#include "host/model/measurement/wavelength_unit.hpp"
+
+namespace brdftab {
+
+/// f_r in 1/sr at a pair of directions, not weighted by a cosine.
+struct MeasuredSample {
+  DirectionPair pair;
+  double brdf;
+  /// Standard uncertainty of f in 1/sr; nan where the file gives none.
+  double sigma = std::numeric_limits<double>::quiet_NaN();
+  /// Index into Measurement::channels.
+  std::size_t channel = 0;
+  /// Share of s-polarised light; 1/2: unpolarised.
+  double share_s = 0.5;
+};
+
+struct Measurement {
+  std::string source;
+  /// Wavelengths in nm or names, in the order of the file; one empty name where it has no channels.
+  std::vector<std::string> channels;
+  std::vector<MeasuredSample> samples;
+  /// What was set aside or looks suspicious, one line each, with counts.
+  std::vector<std::string> warnings;
+  /// How the samples were taken, where the file does not say it.
+  std::vector<std::string> notes = {};
+  /// Of one setting of theta_i, degrees.
+  double incidence_width = Incidences::usual_width;
+  /// Each value is the mean of f(i, s) and f(s, i), as in formats that cannot tell the two apart.
+  bool mean_of_exchanges = false;
+
+  bool has_sigma() const;
+  /// The settings of theta_i, of all channels together.
+  Incidences incidences() const;
+  /// Of a channel; none where its name is no wavelength.
+  std::optional<double> wavelength_nm(std::size_t channel) const;
+  /// By its text, or by its wavelength in whatever text and unit.
+  std::optional<std::size_t> find_channel(std::string_view name) const;
+  /// The samples of one channel, as a measurement of its own.
+  Measurement channel(std::size_t index) const;
+};
+
+/// What the user says about a file's conventions.
+struct MeasurementOptions {
+  /// csv, alta, astm, zemax or merl; empty: by the file's name.
+  std::string format = {};
+  /// Of the angles; none: the layout's own (csv and zemax: degrees, alta and astm: radians).
+  std::optional<AngleUnit> angles = {};
+  /// What the values are; none: f in 1/sr, and a warning where they look unlike it.
+  std::optional<ValueKind> values = {};
+  /// Factor to f in 1/sr, beside `values`.
+  double scale = 1;
+  /// Of wavelengths whose text or column names none; none: nm, and a warning where that is no light's.
+  std::optional<WavelengthUnit> wavelength_unit = {};
+  /// Directions over the hemisphere that a MERL file is sampled at; 0: in plane.
+  std::size_t merl_samples = 0;
+  std::uint64_t merl_seed = 1;
+  /// Adds 180 degrees to phi: for files whose azimuth 0 is the backward side.
+  bool flip_azimuth = false;
+  /// What to read: the columns brdf, brdf_s or brdf_p of CSV, or s and p together; of other formats, what they were measured in.
+  std::vector<Polarization> light{Polarization::unpolarized};
+  /// Of one setting of theta_i, degrees; 0 tells every two numbers apart.
+  double incidence_width = Incidences::usual_width;
+};
+
+/// Reads a file ("-": standard input, CSV). Values that are nan, and what a format itself repeats, are set aside and counted;
+/// zero and negative ones are counted and kept, and so are equal readings of one direction. Throws FileError where it cannot be
+/// read, and BadInput `FILE:LINE: ...` where its content is no measurement.
+Measurement read_measurement(const std::filesystem::path& file, const MeasurementOptions& options = {});
+
+/// CSV with the columns of `read_directions`, of brdf, brdf_s and brdf_p those that are there (1/sr; brdf_per_sr and the like are
+/// taken too), and optionally channel, wavelength_nm or wavelength_um, and sigma, or sigma_s and sigma_p (1/sr). Of the options
+/// it takes `angles`.
+Measurement read_csv_measurement(std::istream& in, const std::string& source, const MeasurementOptions& options = {});
+
+/// Channels that are the same wavelength, whatever their text, become one; names with another unit than nm, or in `unit`,
+/// become numbers in nm.
+void unite_channels(Measurement& measurement, const std::optional<WavelengthUnit>& unit);
+
+/// For formats that grids are written in: where every direction that occurs again has its value again, all but the first are
+/// set aside and counted. Where one does not, the rows are readings, and all are kept.
+void set_aside_repeats_of_grid(Measurement& measurement);
+
+/// Sets aside what is no number; then counts readings that are not above 0 or repeat, and adds warnings where values or azimuths
+/// look unlike f_r in 1/sr with phi = 0 forward. Throws BadInput where no value is above 0.
+void clean(Measurement& measurement, const MeasurementOptions& options = {});
+
+}  // namespace brdftab

@@ -1,0 +1,28 @@
+// The names of the model's variants, as files spell them.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "host/model/parameters.hpp"
+
+namespace brdftab {
+
+/// A switch of `[model]`: its choices in the order of its enumeration, the default first.
+struct SwitchRow {
+  std::string_view name;
+  std::vector<std::string_view> choices;
+  std::string_view meaning;
+  int (*get)(const ModelSwitches&);
+  void (*set)(ModelSwitches&, int choice);
+  /// true and false are booleans in the file, not strings.
+  bool is_boolean() const { return choices.front() == "true"; }
+};
+
+const std::vector<SwitchRow>& switch_table();
+
+/// The choice in force, by name.
+std::string_view choice_name(const SwitchRow& row, const ModelSwitches& switches);
+
+}  // namespace brdftab
