@@ -1,5 +1,6 @@
-// Largest errors of the device's f, N and DHR against the scalar reference, over random materials from the whole
-// valid ranges and their ends (half of them plausible fits), each at ten angles of incidence from 0 to 89.9 degrees.
+// Largest errors of the device's f, N and DHR against the scalar reference, over random materials from the
+// whole valid ranges and their ends (half of them plausible fits), each at ten angles of incidence from 0
+// to 89.9 degrees.
 //
 // usage: accuracy [MATERIALS [SEED]]
 #include <fmt/format.h>
@@ -11,6 +12,7 @@
 #include <thread>
 
 #include "host/base/error.hpp"
+#include "host/commands/exit_status.hpp"
 #include "host/compute/evaluate.hpp"
 #include "host/compute/integrals.hpp"
 #include "host/reference/model.hpp"
@@ -44,8 +46,8 @@ struct Worst {
   void print() {
     if (all.empty()) return;
     std::sort(all.begin(), all.end());
-    fmt::print("{:<22} {:>8} compared  median {:.1e}  99 % {:.1e}  max {:.1e}  at {}\n", quantity, compared, all[all.size() / 2],
-               all[all.size() * 99 / 100], error, where);
+    fmt::print("{:<22} {:>8} compared  median {:.1e}  99 % {:.1e}  max {:.1e}  at {}\n", quantity, compared,
+               all[all.size() / 2], all[all.size() * 99 / 100], error, where);
   }
 };
 
@@ -68,7 +70,8 @@ std::vector<Case> draw(std::size_t count, unsigned seed) {
     const auto exact = [](double angle) { return std::floor(angle * 64) / 64; };
     for (const double theta_i : cases[k].theta)
       for (int s = 0; s < 20; ++s)
-        cases[k].pairs.push_back({exact(theta_i), s == 0 ? exact(theta_i) : exact(random.theta()), exact(random.phi()), 0});
+        cases[k].pairs.push_back(
+            {exact(theta_i), s == 0 ? exact(theta_i) : exact(random.theta()), exact(random.phi()), 0});
   }
   return cases;
 }
@@ -108,8 +111,8 @@ void compare(const Engine& engine, const std::vector<Case>& cases) {
       const auto values = evaluate(engine, band, {}, c.pairs);
       for (std::size_t k = 0; k < values.size(); ++k) {
         const auto& pair = c.pairs[k];
-        const std::string where = fmt::format("theta_i = {}, theta_s = {}, phi = {} of {}", pair.theta_i, pair.theta_s, pair.phi,
-                                              text_of(c.parameters));
+        const std::string where = fmt::format("theta_i = {}, theta_s = {}, phi = {} of {}", pair.theta_i,
+                                              pair.theta_s, pair.phi, text_of(c.parameters));
         f.add(values[k].s, c.f[k].s, wide ? smallest_f : 1e-20, where);
         f.add(values[k].p, c.f[k].p, wide ? smallest_f : 1e-20, where);
       }
@@ -120,7 +123,8 @@ void compare(const Engine& engine, const std::vector<Case>& cases) {
   f.print();
   n.print();
   dhr.print();
-  if (refused > 0) fmt::print("{} materials refused: N leaves the range of {}\n", refused, name_of(engine.working()));
+  if (refused > 0)
+    fmt::print("{} materials refused: N leaves the range of {}\n", refused, name_of(engine.working()));
 }
 
 }  // namespace
@@ -139,6 +143,6 @@ int main(int argc, char** argv) {
     compare(Engine(device, Precision::float32, Precision::float32), cases);
   } catch (const Error& error) {
     fmt::print(stderr, "accuracy: {}\n", error.what());
-    return static_cast<int>(error.status());
+    return static_cast<int>(exit_status(error.fault()));
   }
 }

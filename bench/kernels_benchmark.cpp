@@ -1,4 +1,5 @@
-// The workloads of `brdftab bench` under Google Benchmark, for its statistics, filters and comparisons of two builds.
+// The workloads of `brdftab bench` under Google Benchmark, for its statistics, filters and comparisons of two
+// builds.
 //
 // usage: kernels_benchmark MATERIAL.toml [Google Benchmark's options]
 #include <benchmark/benchmark.h>
@@ -21,14 +22,15 @@ int main(int argc, char** argv) {
     for (auto& workload : reference_workloads(material)) workloads.push_back(std::move(workload));
     benchmark::AddCustomContext("device", device.description());
     for (const Workload& workload : workloads)
-      benchmark::RegisterBenchmark(
-          workload.name.c_str(),
-          [&workload](benchmark::State& state) {
-            for (auto _ : state) workload.run();
-            state.SetItemsProcessed(static_cast<std::int64_t>(workload.produced) * static_cast<std::int64_t>(state.iterations()));
-            if (workload.bytes > 0)
-              state.SetBytesProcessed(static_cast<std::int64_t>(workload.bytes) * static_cast<std::int64_t>(state.iterations()));
-          })
+      benchmark::RegisterBenchmark(workload.name.c_str(),
+                                   [&workload](benchmark::State& state) {
+                                     for (auto _ : state) workload.run();
+                                     state.SetItemsProcessed(static_cast<std::int64_t>(workload.produced) *
+                                                             static_cast<std::int64_t>(state.iterations()));
+                                     if (workload.bytes > 0)
+                                       state.SetBytesProcessed(static_cast<std::int64_t>(workload.bytes) *
+                                                               static_cast<std::int64_t>(state.iterations()));
+                                   })
           ->UseRealTime()
           ->Unit(benchmark::kMillisecond);
     benchmark::RunSpecifiedBenchmarks();

@@ -1,4 +1,5 @@
-// Fits to measurements that the reference made: are f and the parameters found again, and do the intervals cover them?
+// Fits to measurements that the reference made: are f and the parameters found again, and do the intervals
+// cover them?
 //
 // usage: recovery [MATERIALS] [SEED]          noise-free data of random materials
 //        recovery coverage [TRIALS] [SEED]    3 % noise, intervals by profile likelihood
@@ -34,7 +35,8 @@ int recover(const Engine& engine, int materials, unsigned seed) {
     const Fit result = fit(problem);
     const auto residuals = problem.residuals(result.best.u);
     double worst = 0;
-    for (std::size_t r = 0; r < residuals.values.size(); ++r) worst = std::max(worst, std::abs(residuals.values[r]));
+    for (std::size_t r = 0; r < residuals.values.size(); ++r)
+      worst = std::max(worst, std::abs(residuals.values[r]));
     const LinearUncertainty linear = linear_uncertainty(problem, result.best);
     // A parameter is identifiable if f to 1e-6 fixes it to 1e-3.
     std::string parameters;
@@ -48,11 +50,14 @@ int recover(const Engine& engine, int materials, unsigned seed) {
       const auto& row = problem.variables()[v].row();
       const bool same = std::abs(fitted.*row.member - truth.*row.member) <= 1e-3 * (truth.*row.member) + 1e-6;
       recovered += same;
-      if (!same) parameters += fmt::format(" {}: {:.6g} for {:.6g};", row.name, fitted.*row.member, truth.*row.member);
+      if (!same)
+        parameters += fmt::format(" {}: {:.6g} for {:.6g};", row.name, fitted.*row.member, truth.*row.member);
     }
     found += worst < 1e-6;
-    fmt::print("{:2}: largest error of f {:.1e}, {} of {} identifiable parameters within 1e-3, {:.1f} s, reached by {} of {}{}\n",
-               k + 1, worst, recovered, identifiable, result.seconds, result.reached, result.starts, parameters);
+    fmt::print(
+        "{:2}: largest error of f {:.1e}, {} of {} identifiable parameters within 1e-3, {:.1f} s, reached by "
+        "{} of {}{}\n",
+        k + 1, worst, recovered, identifiable, result.seconds, result.reached, result.starts, parameters);
     if (worst >= 1e-6) fmt::print("    {}\n", text_of(truth));
     std::fflush(stdout);
   }
@@ -68,7 +73,8 @@ int cover(const Engine& engine, int trials, std::uint64_t seed) {
   std::map<std::string, int> inside;
   int all = 0;
   for (int trial = 0; trial < trials; ++trial) {
-    FitProblem problem(engine, synthetic_measurement(covered, 10, 0.5, 0.03, random), options(8, seed + trial));
+    FitProblem problem(engine, synthetic_measurement(covered, 10, 0.5, 0.03, random),
+                       options(8, seed + trial));
     const FitSummary summary = summarize(engine, problem, fit(problem), true);
     for (std::size_t v = 0; v < summary.variables.size(); ++v) {
       const double truth = covered.*problem.variables()[v].row().member;

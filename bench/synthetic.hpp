@@ -1,5 +1,5 @@
-// Measurements made by the scalar reference on the paper's geometry: theta_i from 0 to 80 degrees, theta_s in plane from
-// -80 to 80.
+// Measurements made by the scalar reference on the paper's geometry: theta_i from 0 to 80 degrees, theta_s in
+// plane from -80 to 80.
 #pragma once
 
 #include <cmath>
@@ -11,8 +11,8 @@
 namespace brdftab {
 
 /// `noise`: standard deviation of ln f, normally distributed.
-inline Measurement synthetic_measurement(const Parameters& parameters, double step_i, double step_s, double noise,
-                                         std::mt19937_64& random) {
+inline Measurement synthetic_measurement(const Parameters& parameters, double step_i, double step_s,
+                                         double noise, std::mt19937_64& random) {
   const reference::Model model(parameters);
   std::normal_distribution<double> normal;
   Measurement measurement{.source = "synthetic", .channels = {""}, .samples = {}, .warnings = {}};

@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <memory>
 #include <new>
 
 #include "host/commands/command.hpp"
-#include "host/base/interrupt.hpp"
+#include "host/commands/interruption.hpp"
+#include "host/commands/progress_bar.hpp"
 #include "host/compute/opencl/opencl.hpp"
 #include "host/compute/opencl/pocl_cache.hpp"
 #include "host/table/table_content.hpp"
@@ -28,7 +30,8 @@ constexpr CommandRow command_table[] = {
     {"fit", "Fit the fourteen parameters to a measured BRDF", fit_command},
     {"validate", "Read a table back and compare it with the scalar reference", validate_command},
     {"plot", "Draw a material or a table: curves, maps, shadowing, reflectance, comparison", plot_command},
-    {"report", "Write a page about a table or a material: pictures, figures, a map with a slider", report_command},
+    {"report", "Write a page about a table or a material: pictures, figures, a map with a slider",
+     report_command},
     {"info", "Show what a table holds", info_command},
     {"bench", "Measure kernels against the device's store rate and the scalar reference", bench_command},
     {"devices", "List the OpenCL devices and how to select each", devices_command},
@@ -66,38 +69,48 @@ void add_quiet(CLI::App& parser, CommonOptions& common) {
 }
 
 int run(int argc, char** argv) {
-  CLI::App app{"brdftab: tables of the Renhorn-Boreman BRDF of rough surfaces, computed with OpenCL", "brdftab"};
+  CLI::App app{"brdftab: tables of the Renhorn-Boreman BRDF of rough surfaces, computed with OpenCL",
+               "brdftab"};
   CommonOptions common;
   common.command_line = joined(argc, argv);
-  app.set_version_flag("--version", program_source);
+  app.set_version_flag("--version", program_version);
   app.require_subcommand(1);
   add_quiet(app, common);
   std::function<ExitStatus()> chosen;
   for (const auto& row : command_table) {
     CLI::App* parser = app.add_subcommand(row.name, row.summary);
-    parser->set_version_flag("--version", program_source);
+    parser->set_version_flag("--version", program_version);
     add_quiet(*parser, common);
     parser->callback([&chosen, run_command = row.command(*parser, common)] { chosen = run_command; });
   }
-  if (argc > 1 && argv[1][0] != '-' && std::none_of(std::begin(command_table), std::end(command_table), [&](const auto& row) {
-        return row.name == std::string_view(argv[1]);
-      })) {
+  if (argc > 1 && argv[1][0] != '-' &&
+      std::none_of(std::begin(command_table), std::end(command_table),
+                   [&](const auto& row) { return row.name == std::string_view(argv[1]); })) {
     std::vector<std::string_view> names;
     for (const auto& row : command_table) names.push_back(row.name);
-    return fail(ExitStatus::bad_input, fmt::format("there is no command '{}'; there are {}", argv[1], fmt::join(names, ", ")));
+    return fail(ExitStatus::bad_input,
+                fmt::format("there is no command '{}'; there are {}", argv[1], fmt::join(names, ", ")));
   }
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {  // --help, --version
     return app.exit(success);
   } catch (const CLI::ParseError& error) {
-    return fail(ExitStatus::bad_input, fmt::format("{}; see brdftab{} --help", error.what(),
-                                                   argc > 1 && argv[1][0] != '-' ? fmt::format(" {}", argv[1]) : ""));
+    return fail(ExitStatus::bad_input,
+                fmt::format("{}; see brdftab{} --help", error.what(),
+                            argc > 1 && argv[1][0] != '-' ? fmt::format(" {}", argv[1]) : ""));
   }
-  catch_interrupts();
+  common.watch.stop = stop_on_signals();
+  if (!common.quiet) {
+    common.watch.progress = [bar = std::make_shared<ProgressBar>()](const Progress& progress) {
+      bar->report(progress);
+    };
+    common.watch.note = [&common](std::string_view line) { say(common, std::string(line)); };
+  }
   const ExitStatus status = chosen();
   if (!damaged_pocl_cache().empty()) say(common, damaged_pocl_cache());
-  if (std::fflush(stdout) != 0 || std::ferror(stdout)) return fail(ExitStatus::file, "standard output cannot be written");
+  if (std::fflush(stdout) != 0 || std::ferror(stdout))
+    return fail(ExitStatus::file, "standard output cannot be written");
   return static_cast<int>(status);
 }
 
@@ -109,7 +122,10 @@ int main(int argc, char** argv) {
   try {
     return brdftab::run(argc, argv);
   } catch (const brdftab::Error& error) {
-    return brdftab::fail(error.status(), error.what());
+    // What a signal cut short fails in ways of its own.
+    if (brdftab::signalled())
+      return brdftab::fail(ExitStatus::interrupted, "interrupted: nothing was written under the final name");
+    return brdftab::fail(exit_status(error.fault()), brdftab::spelled(error.what()));
   } catch (const cl::Error& error) {
     return brdftab::fail(ExitStatus::device, brdftab::describe(error));
   } catch (const std::filesystem::filesystem_error& error) {

@@ -9,8 +9,7 @@ typedef struct {
   real cosine;
 } SineCosine;
 
-FN_INLINED SineCosine sincos_degrees(real degrees)
-{
+FN_INLINED SineCosine sincos_degrees(real degrees) {
   const real quarter = rint(degrees * REAL(0.011111111111111111111));
   const real x = fma(quarter, REAL(-90.0), degrees) * REAL(0.017453292519943295769);
   const real x2 = x * x;

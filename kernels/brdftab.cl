@@ -1,5 +1,5 @@
-// Three programs from one source, one build for each precision: lists of directions and gradients for fits, both
-// BRDFTAB_WIDTH at a time, and what is computed one angle or one node at a time.
+// Three programs from one source, one build for each precision: lists of directions and gradients for fits,
+// both BRDFTAB_WIDTH at a time, and what is computed one angle or one node at a time.
 #include "model.h"
 #include "peak_path.h"
 #include "quadrature.h"

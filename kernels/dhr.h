@@ -1,5 +1,5 @@
-// Directional-hemispherical reflectance of a lobe, DHR = integral of f cos theta_s d omega: in direction cosines,
-// the integral over u = sin^2 theta_s in [0, 1] and phi in [0, pi] of f.
+// Directional-hemispherical reflectance of a lobe, DHR = integral of f cos theta_s d omega: in direction
+// cosines, the integral over u = sin^2 theta_s in [0, 1] and phi in [0, pi] of f.
 #pragma once
 #include "dialect.h"
 #include "model.h"
@@ -12,7 +12,8 @@ typedef struct {
   real error;  // relative, estimated, of s + p
 } Dhr;
 
-// What the integral over phi at one theta_s needs: c = axial + rho'^2 and t = transverse of the lobe's distance.
+// What the integral over phi at one theta_s needs: c = axial + rho'^2 and t = transverse of the lobe's
+// distance.
 typedef struct {
   real sine_s;
   real cosine_s;
@@ -24,23 +25,20 @@ typedef struct {
 } Ring;
 
 // V_m at tan(phi/2) = tangent measured from the lobe's centre, at phi = 0, or pi for the retro lobe.
-FN_INLINED real ring_shadowing(Ring ring, real tangent, MaterialConstants m, ModelVariant variant)
-{
-  if (!lobe_is_shadowed(ring.lobe, variant))
-    return REAL(1.0);
+FN_INLINED real ring_shadowing(Ring ring, real tangent, MaterialConstants m, ModelVariant variant) {
+  if (!lobe_is_shadowed(ring.lobe, variant)) return REAL(1.0);
   const real t2 = tangent * tangent;
   const real scale = REAL(1.0) / (REAL(1.0) + t2);
   const real toward = (REAL(1.0) - t2) * scale;
   const real sin_phi = REAL(2.0) * tangent * scale;
   const real cos_phi = ring.lobe == LOBE_RETRO ? -toward : toward;
-  return reflectance_shadowing(ring.incidence, scatter_shadowing(ring.sine_s, ring.cosine_s, cos_phi, sin_phi * sin_phi, m),
-                               cos_phi);
+  return reflectance_shadowing(
+      ring.incidence, scatter_shadowing(ring.sine_s, ring.cosine_s, cos_phi, sin_phi * sin_phi, m), cos_phi);
 }
 
 // V_m times the profile, per d tangent. With T = tan(phi/2) and c = axial + rho'^2,
 // d phi/(c + t sin^2(phi/2)) = 2 dT/(c + (c + t) T^2).
-FN_INLINED real ring_integrand(Ring ring, real tangent, MaterialConstants m, ModelVariant variant)
-{
+FN_INLINED real ring_integrand(Ring ring, real tangent, MaterialConstants m, ModelVariant variant) {
   const real t2 = tangent * tangent;
   const real v_m = ring_shadowing(ring, tangent, m, variant);
   if (variant.autocovariance == AUTOCOVARIANCE_LORENTZIAN) {
@@ -53,8 +51,7 @@ FN_INLINED real ring_integrand(Ring ring, real tangent, MaterialConstants m, Mod
 
 // Over phi in [0, pi]. The half nearer to the lobe's centre, T = width sinh(y) in [0, 1], holds the peak;
 // the other, 1/T in [0, 1], is smooth. They meet at phi = pi/2, where V_m has its kink.
-FN_SHARED real ring_integral(Ring ring, MaterialConstants m, ModelVariant variant)
-{
+FN_SHARED real ring_integral(Ring ring, MaterialConstants m, ModelVariant variant) {
   const real c = ring.axial + ring.rho2;
   const real width = variant.autocovariance == AUTOCOVARIANCE_LORENTZIAN
                          ? sqrt(c / (c + ring.transverse))
@@ -82,8 +79,7 @@ FN_SHARED real ring_integral(Ring ring, MaterialConstants m, ModelVariant varian
           value[k] = reach * width * REAL(0.5) * (grown + shrunk);
         }
       }
-      for (int k = 0; k < PANEL_NODES + 1; ++k)
-        value[k] *= ring_integrand(ring, tangent[k], m, variant);
+      for (int k = 0; k < PANEL_NODES + 1; ++k) value[k] *= ring_integrand(ring, tangent[k], m, variant);
       real kronrod = REAL(0.0);
       real gauss = REAL(0.0);
       for (int k = 0; k < PANEL_NODES; ++k) {
@@ -97,15 +93,14 @@ FN_SHARED real ring_integral(Ring ring, MaterialConstants m, ModelVariant varian
   return integral;
 }
 
-// Where the Fresnel factors bend: sqrt(R_p) at the Brewster angle, where |(m^2 + 1) cos^2 - 1| is least, and both at
-// the critical angle, Re(m^2 - sin^2) = 0. In u; outside (0, 1) there is none.
+// Where the Fresnel factors bend: sqrt(R_p) at the Brewster angle, where |(m^2 + 1) cos^2 - 1| is least, and
+// both at the critical angle, Re(m^2 - sin^2) = 0. In u; outside (0, 1) there is none.
 typedef struct {
   real brewster;
   real critical;
 } FresnelBends;
 
-FN FresnelBends fresnel_bends(MaterialConstants m)
-{
+FN FresnelBends fresnel_bends(MaterialConstants m) {
   const real re = m.m2_re + REAL(1.0);
   FresnelBends bends;
   bends.brewster = REAL(1.0) - re / fma(re, re, m.m2_im * m.m2_im);
@@ -114,8 +109,7 @@ FN FresnelBends fresnel_bends(MaterialConstants m)
 }
 
 // v of a bend, if it lies inside that side of the peak; otherwise the side's end.
-FN real bend_on_side(real bend, int outer, real a, real end)
-{
+FN real bend_on_side(real bend, int outer, real a, real end) {
   const real v = outer ? bend - a : a - bend;
   return v > REAL(0.0) && v < end ? v : end;
 }
@@ -126,9 +120,8 @@ typedef struct {
   real p;
 } Reflected;
 
-FN_SHARED Reflected reflected(PeakPoint point, PolarFactors incidence, Ring ring, PeakWidth width, real n_i, MaterialConstants m,
-                       ModelVariant variant)
-{
+FN_SHARED Reflected reflected(PeakPoint point, PolarFactors incidence, Ring ring, PeakWidth width, real n_i,
+                              MaterialConstants m, ModelVariant variant) {
   ring.sine_s = sqrt(point.u);
   ring.cosine_s = point.mu_s;
   const real difference = point.v / (ring.sine_s + incidence.sine);
@@ -151,9 +144,9 @@ FN_SHARED Reflected reflected(PeakPoint point, PolarFactors incidence, Ring ring
   return result;
 }
 
-// DHR of one lobe at theta_i, N = n_i included. The outer integral runs like N's, over the two sides of the peak.
-FN Dhr dhr(PolarFactors incidence, int lobe, real n_i, MaterialConstants m, ModelVariant variant)
-{
+// DHR of one lobe at theta_i, N = n_i included. The outer integral runs like N's, over the two sides of the
+// peak.
+FN Dhr dhr(PolarFactors incidence, int lobe, real n_i, MaterialConstants m, ModelVariant variant) {
   const real rho2 = lobe_rho2(lobe, m);
   const real mu2_i = incidence.cosine * incidence.cosine;
   const real a = incidence.sine * incidence.sine;
@@ -179,16 +172,14 @@ FN Dhr dhr(PolarFactors incidence, int lobe, real n_i, MaterialConstants m, Mode
   const FresnelBends bends = fresnel_bends(m);
   for (int outer = 0; outer < 2; ++outer) {
     const real end = side_length(outer, a, mu2_i);
-    if (!(end > REAL(0.0)))
-      continue;
+    if (!(end > REAL(0.0))) continue;
     const real brewster = bend_on_side(bends.brewster, outer, a, end);
     const real critical = bend_on_side(bends.critical, outer, a, end);
     const real stops[3] = {fmin(brewster, critical), fmax(brewster, critical), end};
     PeakSegment segment = peak_side(outer, a, mu2_i, width.h);
     for (int stop = 0; stop < 3; ++stop) {
       segment.length = peak_reach(stops[stop], width.h) - segment.begin;
-      if (!(segment.length > REAL(0.0)))
-        continue;
+      if (!(segment.length > REAL(0.0))) continue;
       March march = march_begin(first_step(segment));
       march.integral = total_s + total_p;
       while (march_unfinished(march)) {
@@ -202,7 +193,8 @@ FN Dhr dhr(PolarFactors incidence, int lobe, real n_i, MaterialConstants m, Mode
           kronrod_p = fma(kronrod_weight[k], value.p, kronrod_p);
           gauss = fma(gauss_weight[k], value.s + value.p, gauss);
         }
-        const March next = march_advance(march, kronrod_s + kronrod_p, gauss, REAL(0.25), DHR_TOLERANCE, NEGLIGIBLE_DHR);
+        const March next =
+            march_advance(march, kronrod_s + kronrod_p, gauss, REAL(0.25), DHR_TOLERANCE, NEGLIGIBLE_DHR);
         if (next.position > march.position) {
           total_s += kronrod_s * march.step;
           total_p += kronrod_p * march.step;

@@ -1,8 +1,9 @@
 // The only file that knows which language compiles the maths: OpenCL C 1.2,
 // or C++ (tests and the host compile the same files with real = double and real = float).
 //
-// `scalar` is a number; `real` is BRDFTAB_WIDTH of them, one for each of as many directions. The maths holds for any
-// width: it selects instead of branching on a `real`, and loops as long as the material asks, not the direction.
+// `scalar` is a number; `real` is BRDFTAB_WIDTH of them, one for each of as many directions. The maths holds
+// for any width: it selects instead of branching on a `real`, and loops as long as the material asks, not the
+// direction.
 #pragma once
 
 #ifdef __OPENCL_C_VERSION__

@@ -1,17 +1,17 @@
-// Exponential and logarithm as plain arithmetic: compilers vectorise it in any loop, which they do to no built-in
-// function but exp, and every IEEE device gives the same bits. Errors as measured by tests/elementary_test.
+// Exponential and logarithm as plain arithmetic: compilers vectorise it in any loop, which they do to no
+// built-in function but exp, and every IEEE device gives the same bits. Errors as measured by
+// tests/elementary_test.
 #pragma once
 #include "dialect.h"
 
-// e^x = 2^n (1 + reduced): x = n ln 2 + r with |r| <= ln(2)/2, ln 2 in two parts; reduced = e^r - 1, whose Taylor
-// series ends below 1e-17. x is bounded to the range of normal numbers.
+// e^x = 2^n (1 + reduced): x = n ln 2 + r with |r| <= ln(2)/2, ln 2 in two parts; reduced = e^r - 1, whose
+// Taylor series ends below 1e-17. x is bounded to the range of normal numbers.
 typedef struct {
   real power;  // 2^n
   real reduced;
 } ReducedExponential;
 
-FN_INLINED ReducedExponential reduced_exponential(real x)
-{
+FN_INLINED ReducedExponential reduced_exponential(real x) {
   const real bounded = fmin(fmax(x, -EXPONENT_RANGE), EXPONENT_RANGE);
   const real n = rint(bounded * REAL(1.4426950408889634074));
   const real r = fma(n, -LN2_LOW, fma(n, -LN2_HIGH, bounded));
@@ -35,8 +35,7 @@ FN_INLINED ReducedExponential reduced_exponential(real x)
 }
 
 // e^x for any x; beyond the range of normal numbers it is 0 or infinite; nan of nan. Within 1 ulp.
-FN_INLINED real exponential(real x)
-{
+FN_INLINED real exponential(real x) {
   const ReducedExponential e = reduced_exponential(x);
   const real value = (e.reduced + REAL(1.0)) * e.power;
   const real bounded = x > EXPONENT_RANGE ? WIDE(INFINITY) : (x < -EXPONENT_RANGE ? REAL(0.0) : value);
@@ -44,8 +43,7 @@ FN_INLINED real exponential(real x)
 }
 
 // e^x - 1 without cancellation, for x below EXPONENT_RANGE. Within 2 ulp.
-FN_INLINED real exponential_less_1(real x)
-{
+FN_INLINED real exponential_less_1(real x) {
   const ReducedExponential e = reduced_exponential(x);
   const real value = fma(e.reduced, e.power, e.power - REAL(1.0));
   return x == x ? value : x;
@@ -54,8 +52,7 @@ FN_INLINED real exponential_less_1(real x)
 // ln x of a normal number; 0 counts as the smallest one; nan below 0 and of nan. Within 1 ulp.
 // x = 2^e (1 + f) with 1 + f between sqrt(1/2) and sqrt(2), and with s = f/(2 + f),
 // ln(1 + f) = 2 s + s R = f - s (f - R), R = 2 s^2/3 + 2 s^4/5 + ..., whose terms end below 1e-17.
-FN_INLINED real logarithm(real x)
-{
+FN_INLINED real logarithm(real x) {
   const bits offset = AS_BITS(x) - SQRT_HALF_BITS;
   const bits exponent = offset >> MANTISSA_BITS;
   const real f = AS_REAL(AS_BITS(x) - (exponent << MANTISSA_BITS)) - REAL(1.0);
@@ -80,8 +77,7 @@ FN_INLINED real logarithm(real x)
 }
 
 // ln(1 + x) without cancellation, x > -1. Within 2 ulp.
-FN_INLINED real logarithm_1_plus(real x)
-{
+FN_INLINED real logarithm_1_plus(real x) {
   const real sum = REAL(1.0) + x;
   // What the sum lost, to first order.
   return logarithm(sum) + (x - (sum - REAL(1.0))) / sum;

@@ -18,8 +18,7 @@ typedef struct {
 //   1 - R_p = 4 c Re(q) (|q|^2 + s^2)/|m^2 c + q|^2,
 // so neither R nor 1 - R cancels: R is exactly 0 for m = 1, and 1 - R exactly 0
 // under total reflection.
-FN_SHARED Fresnel fresnel(real s, real c, MaterialConstants m)
-{
+FN_SHARED Fresnel fresnel(real s, real c, MaterialConstants m) {
   const real q2_re = (m.n_eff - s) * (m.n_eff + s) - m.k_eff * m.k_eff;
   const scalar q2_im = m.m2_im;
   const real q_norm = sqrt(q2_re * q2_re + q2_im * q2_im);

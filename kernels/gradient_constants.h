@@ -1,4 +1,5 @@
-// What a kernel that differentiates the model is told about a material. Shared with the host like material_constants.h.
+// What a kernel that differentiates the model is told about a material. Shared with the host like
+// material_constants.h.
 
 typedef struct {
   MaterialConstants m;

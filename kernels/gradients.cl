@@ -1,13 +1,13 @@
-// Entry points for fits: many materials at the same directions. Each work-item of `log_brdf_gradients` evaluates
-// BRDFTAB_WIDTH directions.
+// Entry points for fits: many materials at the same directions. Each work-item of `log_brdf_gradients`
+// evaluates BRDFTAB_WIDTH directions.
 #include "model_gradient.h"
 #include "normalization_gradient.h"
 
-// theta in degrees; n: [material][LOBE_COUNT][N_COMPONENTS][angles]. Global size: angles x LOBE_COUNT x materials.
+// theta in degrees; n: [material][LOBE_COUNT][N_COMPONENTS][angles]. Global size: angles x LOBE_COUNT x
+// materials.
 __kernel void normalization_gradients(__global const scalar *restrict theta, int angles,
-                                      __global const GradientConstants *restrict materials, __global scalar *restrict n,
-                                      ModelVariant variant)
-{
+                                      __global const GradientConstants *restrict materials,
+                                      __global scalar *restrict n, ModelVariant variant) {
   const size_t angle = get_global_id(0);
   const int lobe = (int)get_global_id(1);
   const size_t material = get_global_id(2);
@@ -17,12 +17,13 @@ __kernel void normalization_gradients(__global const scalar *restrict theta, int
     n[((material * LOBE_COUNT + lobe) * N_COMPONENTS + k) * angles + angle] = gradient.component[k];
 }
 
-// N at angles from N at fewer nodes, as NormalizationNodes has it: first, count: [angle]; share: [angle][width]. Global size:
-// angles x 1 x materials.
-__kernel void interpolate_normalizations(__global const scalar *restrict at_nodes, int nodes, __global const int *restrict first,
-                                         __global const int *restrict count, __global const scalar *restrict share, int width,
-                                         __global scalar *restrict n)
-{
+// N at angles from N at fewer nodes, as NormalizationNodes has it: first, count: [angle]; share:
+// [angle][width]. Global size: angles x 1 x materials.
+__kernel void interpolate_normalizations(__global const scalar *restrict at_nodes, int nodes,
+                                         __global const int *restrict first,
+                                         __global const int *restrict count,
+                                         __global const scalar *restrict share, int width,
+                                         __global scalar *restrict n) {
   const size_t angle = get_global_id(0);
   const size_t angles = get_global_size(0);
   const size_t material = get_global_id(2);
@@ -35,16 +36,16 @@ __kernel void interpolate_normalizations(__global const scalar *restrict at_node
   }
 }
 
-// ln f and d ln f/d parameter of each pair: out[material][1 + PARAMETER_COUNT][pairs]. Angles in degrees; incidence, scatter:
-// the indices of theta_i and theta_s among the angles of n; share_s: of each pair, see model_gradient.h. Global size:
-// pairs / BRDFTAB_WIDTH x materials.
-__kernel void log_brdf_gradients(__global const scalar *restrict theta_i, __global const scalar *restrict theta_s,
-                                 __global const scalar *restrict phi, __global const int *restrict incidence,
-                                 __global const int *restrict scatter, __global const scalar *restrict n, int angles,
+// ln f and d ln f/d parameter of each pair: out[material][1 + PARAMETER_COUNT][pairs]. Angles in degrees;
+// incidence, scatter: the indices of theta_i and theta_s among the angles of n; share_s: of each pair, see
+// model_gradient.h. Global size: pairs / BRDFTAB_WIDTH x materials.
+__kernel void log_brdf_gradients(__global const scalar *restrict theta_i,
+                                 __global const scalar *restrict theta_s, __global const scalar *restrict phi,
+                                 __global const int *restrict incidence, __global const int *restrict scatter,
+                                 __global const scalar *restrict n, int angles,
                                  __global const scalar *restrict share_s,
-                                 __global const GradientConstants *restrict materials, __global scalar *restrict out,
-                                 ModelVariant variant)
-{
+                                 __global const GradientConstants *restrict materials,
+                                 __global scalar *restrict out, ModelVariant variant) {
   const size_t k = get_global_id(0);
   const size_t vectors = get_global_size(0);
   const size_t material = get_global_id(1);
@@ -60,10 +61,10 @@ __kernel void log_brdf_gradients(__global const scalar *restrict theta_i, __glob
     }
     pair_n[c] = pair_normalization_gradient(c % N_COMPONENTS, LOAD(0, lane_i), LOAD(0, lane_s), variant);
   }
-  const LogBrdfGradient f = log_brdf_gradient(polar_gradient(LOAD(k, theta_i), g, variant), polar_gradient(LOAD(k, theta_s), g, variant),
-                                              azimuth_factors(LOAD(k, phi)), pair_n, LOAD(k, share_s), g, variant);
+  const LogBrdfGradient f = log_brdf_gradient(
+      polar_gradient(LOAD(k, theta_i), g, variant), polar_gradient(LOAD(k, theta_s), g, variant),
+      azimuth_factors(LOAD(k, phi)), pair_n, LOAD(k, share_s), g, variant);
   const size_t first = material * (1 + PARAMETER_COUNT) * vectors + k;
   STORE(f.ln_f, first, out);
-  for (int c = 0; c < PARAMETER_COUNT; ++c)
-    STORE(f.by[c], first + (1 + c) * vectors, out);
+  for (int c = 0; c < PARAMETER_COUNT; ++c) STORE(f.by[c], first + (1 + c) * vectors, out);
 }

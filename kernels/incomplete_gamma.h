@@ -10,12 +10,12 @@ typedef struct {
   real logarithm;
 } UpperGamma;
 
-// a = 1 + n >= 1, lambda >= 0. With x = a lambda, D = x^a e^-x / Gamma(1 + a) = exp(ln_gamma_scale - a (lambda - 1 - ln lambda)).
-// Below x = a + 1: Q = 1 - D sum x^k / ((a+1)...(a+k)), all terms positive; above: Legendre's continued fraction,
-// whose convergents are ratios of two recurrences, in t = 1/x so that they do not overflow. Both run as long as the
-// slowest angle of the material needs: see material_constants(). Q is within 2e-15 (1 + |a (lambda - 1 - ln lambda)|).
-FN_SHARED UpperGamma upper_gamma(real lambda, MaterialConstants m)
-{
+// a = 1 + n >= 1, lambda >= 0. With x = a lambda, D = x^a e^-x / Gamma(1 + a) = exp(ln_gamma_scale - a
+// (lambda - 1 - ln lambda)). Below x = a + 1: Q = 1 - D sum x^k / ((a+1)...(a+k)), all terms positive; above:
+// Legendre's continued fraction, whose convergents are ratios of two recurrences, in t = 1/x so that they do
+// not overflow. Both run as long as the slowest angle of the material needs: see material_constants(). Q is
+// within 2e-15 (1 + |a (lambda - 1 - ln lambda)|).
+FN_SHARED UpperGamma upper_gamma(real lambda, MaterialConstants m) {
   const scalar a = m.shape;
   const real x = a * lambda;
   const real ln_d = m.ln_gamma_scale - a * ((lambda - REAL(1.0)) - logarithm(lambda));
@@ -37,7 +37,8 @@ FN_SHARED UpperGamma upper_gamma(real lambda, MaterialConstants m)
     for (scalar k = SCALAR(1.0); k <= m.fraction_terms; k += SCALAR(1.0)) {
       const real partial_numerator = k * (a - k) * t2;
       const real partial_denominator = fma(t, WIDE(SCALAR(2.0) * k + SCALAR(1.0) - a), REAL(1.0));
-      const real next_denominator = fma(partial_denominator, denominator, partial_numerator * denominator_before);
+      const real next_denominator =
+          fma(partial_denominator, denominator, partial_numerator * denominator_before);
       const real next_numerator = fma(partial_denominator, numerator, partial_numerator * numerator_before);
       denominator_before = denominator;
       denominator = next_denominator;

@@ -5,8 +5,7 @@
 
 // theta in degrees; value and error: [LOBE_COUNT][angles]. Global size: angles x LOBE_COUNT.
 __kernel void normalizations(__global const real *restrict theta, int angles, __global real *restrict value,
-                             __global real *restrict error, MaterialConstants m, ModelVariant variant)
-{
+                             __global real *restrict error, MaterialConstants m, ModelVariant variant) {
   const size_t angle = get_global_id(0);
   const int lobe = (int)get_global_id(1);
   const size_t at = lobe * (size_t)angles + angle;
@@ -16,10 +15,9 @@ __kernel void normalizations(__global const real *restrict theta, int angles, __
 }
 
 // DHR by lobe and angle; n as `normalizations` gives it. Global size: angles x LOBE_COUNT.
-__kernel void dhrs(__global const real *restrict theta, int angles, __global const real *restrict n, __global real *restrict dhr_s,
-                   __global real *restrict dhr_p, __global real *restrict error, MaterialConstants m,
-                   ModelVariant variant)
-{
+__kernel void dhrs(__global const real *restrict theta, int angles, __global const real *restrict n,
+                   __global real *restrict dhr_s, __global real *restrict dhr_p,
+                   __global real *restrict error, MaterialConstants m, ModelVariant variant) {
   const size_t angle = get_global_id(0);
   const int lobe = (int)get_global_id(1);
   const size_t at = lobe * (size_t)angles + angle;
@@ -30,8 +28,7 @@ __kernel void dhrs(__global const real *restrict theta, int angles, __global con
 }
 
 // Sizes of the structs that the host shares or allocates, as this device lays them out.
-__kernel void layout(__global int *restrict bytes)
-{
+__kernel void layout(__global int *restrict bytes) {
   bytes[0] = (int)sizeof(MaterialConstants);
   bytes[1] = (int)sizeof(ModelVariant);
   bytes[2] = (int)sizeof(PolarFactors);

@@ -5,14 +5,12 @@
 #include "dialect.h"
 #include "material.h"
 
-FN scalar lobe_rho2(int lobe, MaterialConstants m)
-{
+FN scalar lobe_rho2(int lobe, MaterialConstants m) {
   return lobe == LOBE_SURFACE ? m.rho2_surface : lobe == LOBE_BULK ? m.rho2_bulk : m.rho2_retro;
 }
 
 // The square of the foreshortening factor (mu_i + mu_s)/2, Eq. (9).
-FN real foreshortening2(real mu_i, real mu_s, ModelVariant variant)
-{
+FN real foreshortening2(real mu_i, real mu_s, ModelVariant variant) {
   const real mean = REAL(0.5) * (mu_i + mu_s);
   return variant.foreshortening ? mean * mean : REAL(1.0);
 }
@@ -24,8 +22,7 @@ typedef struct {
   real transverse;  // 4 sin theta_i sin theta_s
 } LobeDistance;
 
-FN LobeDistance lobe_distance(real theta_i, real theta_s, real sine_i, real sine_s)
-{
+FN LobeDistance lobe_distance(real theta_i, real theta_s, real sine_i, real sine_s) {
   const SineCosine half_sum = sincos_degrees(REAL(0.5) * (theta_s + theta_i));
   const SineCosine half_difference = sincos_degrees(REAL(0.5) * (theta_s - theta_i));
   const real difference = REAL(2.0) * half_sum.cosine * half_difference.sine;

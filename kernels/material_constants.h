@@ -11,13 +11,13 @@ enum { LOBE_SURFACE = 0, LOBE_BULK = 1, LOBE_RETRO = 2, LOBE_COUNT = 3 };
 typedef struct {
   scalar n_eff;
   scalar k_eff;
-  scalar m2_re;           // Re (n_eff + i k_eff)^2
-  scalar m2_im;           // Im (n_eff + i k_eff)^2
-  scalar contrast;        // |1 - (n_eff + i k_eff)^2|
+  scalar m2_re;     // Re (n_eff + i k_eff)^2
+  scalar m2_im;     // Im (n_eff + i k_eff)^2
+  scalar contrast;  // |1 - (n_eff + i k_eff)^2|
   scalar sigma_surface;
   scalar sigma_bulk;
   scalar sigma_retro;
-  scalar rho2_surface;    // rho^2
+  scalar rho2_surface;  // rho^2
   scalar rho2_bulk;
   scalar rho2_retro;
   scalar w_a;

@@ -17,8 +17,7 @@ typedef struct {
   Fresnel fresnel;
 } PolarFactors;
 
-FN PolarFactors polar_factors(real theta, MaterialConstants m, ModelVariant variant)
-{
+FN PolarFactors polar_factors(real theta, MaterialConstants m, ModelVariant variant) {
   const SineCosine direction = sincos_degrees(theta);
   PolarFactors f;
   f.theta = theta;
@@ -34,11 +33,10 @@ typedef struct {
   real sin2_phi;
   real sin2_half;  // sin^2(phi/2)
   real cos2_half;
-  real forward;    // 1 where alpha >= 0, else 0
+  real forward;  // 1 where alpha >= 0, else 0
 } AzimuthFactors;
 
-FN AzimuthFactors azimuth_factors(real phi)
-{
+FN AzimuthFactors azimuth_factors(real phi) {
   const SineCosine half_angle = sincos_degrees(REAL(0.5) * phi);
   AzimuthFactors f;
   f.sin2_half = half_angle.sine * half_angle.sine;
@@ -56,8 +54,7 @@ typedef struct {
   real subsurface;  // 1 - g
 } Reflectances;
 
-FN Reflectances reflectances(real modulus_i, real transmittance_i, real modulus_s, real transmittance_s)
-{
+FN Reflectances reflectances(real modulus_i, real transmittance_i, real modulus_s, real transmittance_s) {
   const real g = modulus_i * modulus_s;
   Reflectances r;
   r.surface = g;
@@ -70,44 +67,38 @@ typedef struct {
   Reflectances p;
 } PolarizedReflectances;
 
-FN PolarizedReflectances polarized_reflectances(Fresnel i, Fresnel s)
-{
+FN PolarizedReflectances polarized_reflectances(Fresnel i, Fresnel s) {
   PolarizedReflectances r;
   r.s = reflectances(i.modulus_s, i.transmittance_s, s.modulus_s, s.transmittance_s);
   r.p = reflectances(i.modulus_p, i.transmittance_p, s.modulus_p, s.transmittance_p);
   return r;
 }
 
-FN real lobe_amplitude(int lobe, Reflectances r, MaterialConstants m)
-{
+FN real lobe_amplitude(int lobe, Reflectances r, MaterialConstants m) {
   return lobe == LOBE_SURFACE ? m.sigma_surface * r.surface
                               : (lobe == LOBE_BULK ? m.sigma_bulk : m.sigma_retro) * r.subsurface;
 }
 
 // rho'^2, Eqs. (9), (12).
-FN real shadowed_rho2(int lobe, PolarFactors i, PolarFactors s, MaterialConstants m, ModelVariant variant)
-{
+FN real shadowed_rho2(int lobe, PolarFactors i, PolarFactors s, MaterialConstants m, ModelVariant variant) {
   return lobe_rho2(lobe, m) * foreshortening2(i.cosine, s.cosine, variant) * i.v * s.v;
 }
 
 // N that a lobe has between two directions; n_s is read for reciprocal normalisation only.
-FN real pair_normalization(real n_i, real n_s, ModelVariant variant)
-{
+FN real pair_normalization(real n_i, real n_s, ModelVariant variant) {
   return variant.normalization == NORMALIZATION_RECIPROCAL ? sqrt(n_i) * sqrt(n_s) : n_i;
 }
 
 // N times the profile of a lobe: N/D, or N exp(-d^2/(4 rho'^2)).
-FN real normalized_profile(int lobe, LobeDistance d, AzimuthFactors azimuth, real rho2, real n, ModelVariant variant)
-{
+FN real normalized_profile(int lobe, LobeDistance d, AzimuthFactors azimuth, real rho2, real n,
+                           ModelVariant variant) {
   const real d2 = fma(d.transverse, lobe == LOBE_RETRO ? azimuth.cos2_half : azimuth.sin2_half, d.axial);
-  if (variant.autocovariance == AUTOCOVARIANCE_LORENTZIAN)
-    return n / (d2 + rho2);
+  if (variant.autocovariance == AUTOCOVARIANCE_LORENTZIAN) return n / (d2 + rho2);
   // No exponent at the peak, where both may have underflowed.
   return d2 > REAL(0.0) ? n * exponential(REAL(-0.25) * d2 / rho2) : n;
 }
 
-FN_INLINED int lobe_is_shadowed(int lobe, ModelVariant variant)
-{
+FN_INLINED int lobe_is_shadowed(int lobe, ModelVariant variant) {
   return variant.reflectance_shadowing == REFLECTANCE_SHADOWING_ALL ||
          (variant.reflectance_shadowing == REFLECTANCE_SHADOWING_SURFACE && lobe == LOBE_SURFACE);
 }
@@ -119,8 +110,7 @@ typedef struct {
 
 // f in 1/sr for both polarisations. n_i, n_s: N of the three lobes at either polar angle.
 FN Brdf brdf(PolarFactors i, PolarFactors s, AzimuthFactors azimuth, const real *n_i, const real *n_s,
-             MaterialConstants m, ModelVariant variant)
-{
+             MaterialConstants m, ModelVariant variant) {
   const LobeDistance distance = lobe_distance(i.theta, s.theta, i.sine, s.sine);
   const PolarizedReflectances reflectance = polarized_reflectances(i.fresnel, s.fresnel);
   const real v_m = reflectance_shadowing(

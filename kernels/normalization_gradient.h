@@ -1,5 +1,5 @@
-// N of a Lorentzian lobe with the derivatives of ln N by ln rho, ln w and n, integrated along the same path as
-// normalization(), BRDFTAB_WIDTH nodes at a time.
+// N of a Lorentzian lobe with the derivatives of ln N by ln rho, ln w and n, integrated along the same path
+// as normalization(), BRDFTAB_WIDTH nodes at a time.
 #pragma once
 #include "dialect.h"
 #include "peak_path.h"
@@ -17,29 +17,25 @@ typedef struct {
   scalar component[N_COMPONENTS];
 } NormalizationGradient;
 
-FN scalar sum_of_lanes(real values)
-{
+FN scalar sum_of_lanes(real values) {
   scalar lane[BRDFTAB_WIDTH];
   STORE(values, 0, lane);
   scalar sum = SCALAR(0.0);
-  for (int k = 0; k < BRDFTAB_WIDTH; ++k)
-    sum += lane[k];
+  for (int k = 0; k < BRDFTAB_WIDTH; ++k) sum += lane[k];
   return sum;
 }
 
-FN scalar first_lane(real values)
-{
+FN scalar first_lane(real values) {
   scalar lane[BRDFTAB_WIDTH];
   STORE(values, 0, lane);
   return lane[0];
 }
 
-// 1/N = pi I, I = integral of 1/R du with R^2 = v^2 + p (2 (u + a) + p), v = u - a, p = rho'^2. By a parameter y,
-// dI/dy = - integral of (p (u + a + p)/R^2) d ln p/dy / R du; the first factor lies between 0 and 1, so that the path
-// which takes the peak out of I does so here.
+// 1/N = pi I, I = integral of 1/R du with R^2 = v^2 + p (2 (u + a) + p), v = u - a, p = rho'^2. By a
+// parameter y, dI/dy = - integral of (p (u + a + p)/R^2) d ln p/dy / R du; the first factor lies between 0
+// and 1, so that the path which takes the peak out of I does so here.
 FN_SHARED NormalizationGradient normalization_gradient(SineCosine incidence, int lobe, GradientConstants g,
-                                                       ModelVariant variant)
-{
+                                                       ModelVariant variant) {
   const real rho2 = WIDE(lobe_rho2(lobe, g.m));
   const real mu2_i = incidence.cosine * incidence.cosine;
   const real a = incidence.sine * incidence.sine;
@@ -54,8 +50,7 @@ FN_SHARED NormalizationGradient normalization_gradient(SineCosine incidence, int
   scalar by_flatness = by_missing * first_lane(v_i.by_flatness);
   for (int outer = 0; outer < 2; ++outer) {
     const PeakSegment segment = peak_side(outer, a, mu2_i, width.h);
-    if (!(first_lane(segment.length) > SCALAR(0.0)))
-      continue;
+    if (!(first_lane(segment.length) > SCALAR(0.0))) continue;
     March march = march_begin(first_lane(first_step(segment)));
     while (march_unfinished(march)) {
       real kronrod = REAL(0.0);
@@ -82,8 +77,8 @@ FN_SHARED NormalizationGradient normalization_gradient(SineCosine incidence, int
       }
       const scalar before = march.integral;
       const scalar step = march.step;
-      march = march_advance(march, sum_of_lanes(kronrod), sum_of_lanes(gauss), SCALAR(0.125), GRADIENT_TOLERANCE,
-                            SCALAR(0.0));
+      march = march_advance(march, sum_of_lanes(kronrod), sum_of_lanes(gauss), SCALAR(0.125),
+                            GRADIENT_TOLERANCE, SCALAR(0.0));
       if (march.integral > before) {  // the panel was accepted
         by_ln_rho = fma(SCALAR(2.0) * step, sum_of_lanes(rho_slope), by_ln_rho);
         by_ln_w = fma(step, sum_of_lanes(w_slope), by_ln_w);

@@ -7,13 +7,11 @@
 #include "material.h"
 
 // V(chi = sin theta), Eq. (10), with n! = Gamma(1 + n).
-FN UpperGamma width_shadowing(real sine, MaterialConstants m, ModelVariant variant)
-{
+FN UpperGamma width_shadowing(real sine, MaterialConstants m, ModelVariant variant) {
   UpperGamma v;
   v.value = REAL(1.0);
   v.logarithm = REAL(0.0);
-  if (variant.width_shadowing)
-    v = upper_gamma(sine * sine * m.inverse_w2, m);
+  if (variant.width_shadowing) v = upper_gamma(sine * sine * m.inverse_w2, m);
   return v;
 }
 
@@ -23,8 +21,7 @@ typedef struct {
   real blocked;
 } Attenuation;
 
-FN Attenuation attenuation(real exponent)
-{
+FN Attenuation attenuation(real exponent) {
   Attenuation a;
   a.passed = exponential(-exponent);
   a.blocked = -exponential_less_1(-exponent);
@@ -32,8 +29,7 @@ FN Attenuation attenuation(real exponent)
 }
 
 // E_0 = exp(-gamma |zeta_0| exp(-delta / zeta_0^2)), zeta_0 = tan theta_i; 1 at theta_i = 0.
-FN Attenuation incidence_shadowing(real sine, real cosine, MaterialConstants m)
-{
+FN Attenuation incidence_shadowing(real sine, real cosine, MaterialConstants m) {
   const real zeta = sine / cosine;
   return attenuation(zeta > REAL(0.0) ? m.gamma * zeta * exponential(-m.delta / (zeta * zeta)) : REAL(0.0));
 }
@@ -41,8 +37,8 @@ FN Attenuation incidence_shadowing(real sine, real cosine, MaterialConstants m)
 // The exponent of S = exp(-w_a |zeta| exp(-w_b / alpha^2)) with alpha = sin theta_s cos phi and
 // zeta = alpha / sqrt(1 - alpha^2), where 1 - alpha^2 = cos^2 theta_s + sin^2 theta_s sin^2 phi
 // does not cancel; 0 at alpha = 0.
-FN_INLINED real scatter_shadowing_exponent(real sine, real cosine, real cos_phi, real sin2_phi, MaterialConstants m)
-{
+FN_INLINED real scatter_shadowing_exponent(real sine, real cosine, real cos_phi, real sin2_phi,
+                                           MaterialConstants m) {
   const real alpha = fabs(sine * cos_phi);
   const real alpha2 = alpha * alpha;
   const real one_minus_alpha2 = fma(sine * sine, sin2_phi, cosine * cosine);
@@ -50,13 +46,11 @@ FN_INLINED real scatter_shadowing_exponent(real sine, real cosine, real cos_phi,
   return alpha2 > REAL(0.0) ? exponent : REAL(0.0);
 }
 
-FN_INLINED real scatter_shadowing(real sine, real cosine, real cos_phi, real sin2_phi, MaterialConstants m)
-{
+FN_INLINED real scatter_shadowing(real sine, real cosine, real cos_phi, real sin2_phi, MaterialConstants m) {
   return exponential(-scatter_shadowing_exponent(sine, cosine, cos_phi, sin2_phi, m));
 }
 
 // V_m, Eq. (13): (1 - E_0) + S E_0 on the forward side, alpha >= 0, and S on the other.
-FN_INLINED real reflectance_shadowing(Attenuation incidence, real scatter, real cos_phi)
-{
+FN_INLINED real reflectance_shadowing(Attenuation incidence, real scatter, real cos_phi) {
   return cos_phi >= REAL(0.0) ? fma(scatter, incidence.passed, incidence.blocked) : scatter;
 }

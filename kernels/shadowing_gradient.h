@@ -12,18 +12,17 @@ typedef struct {
   real by_flatness;  // d ln V / d n
 } WidthShadowingGradient;
 
-// V = Q(a, a lambda), lambda = sin^2 theta / w^2, as upper_gamma() computes it, each step with its derivative by a.
-// By lambda: dQ/dlambda = -a D/lambda, hence dV/d ln w = 2 a D. With x = a lambda and D as there,
-// d ln D/da = scale_slope - (lambda - 1 - ln lambda).
-FN_SHARED WidthShadowingGradient width_shadowing_gradient(real sine, GradientConstants g, ModelVariant variant)
-{
+// V = Q(a, a lambda), lambda = sin^2 theta / w^2, as upper_gamma() computes it, each step with its derivative
+// by a. By lambda: dQ/dlambda = -a D/lambda, hence dV/d ln w = 2 a D. With x = a lambda and D as there, d ln
+// D/da = scale_slope - (lambda - 1 - ln lambda).
+FN_SHARED WidthShadowingGradient width_shadowing_gradient(real sine, GradientConstants g,
+                                                          ModelVariant variant) {
   WidthShadowingGradient v;
   v.value = REAL(1.0);
   v.logarithm = REAL(0.0);
   v.by_ln_w = REAL(0.0);
   v.by_flatness = REAL(0.0);
-  if (!variant.width_shadowing)
-    return v;
+  if (!variant.width_shadowing) return v;
   const MaterialConstants m = g.m;
   const scalar a = m.shape;
   const real lambda = sine * sine * m.inverse_w2;
@@ -62,7 +61,8 @@ FN_SHARED WidthShadowingGradient width_shadowing_gradient(real sine, GradientCon
       const real partial_denominator = fma(t, WIDE(SCALAR(2.0) * k + SCALAR(1.0) - a), REAL(1.0));
       const real partial_numerator_slope = k * (SCALAR(2.0) * k - a) * inverse_a * t2;
       const real partial_denominator_slope = -t * (SCALAR(2.0) * k + SCALAR(1.0)) * inverse_a;
-      const real next_denominator = fma(partial_denominator, denominator, partial_numerator * denominator_before);
+      const real next_denominator =
+          fma(partial_denominator, denominator, partial_numerator * denominator_before);
       const real next_numerator = fma(partial_denominator, numerator, partial_numerator * numerator_before);
       const real next_denominator_slope =
           fma(partial_denominator, denominator_slope, partial_denominator_slope * denominator) +
@@ -83,8 +83,9 @@ FN_SHARED WidthShadowingGradient width_shadowing_gradient(real sine, GradientCon
     v.value = x < a + SCALAR(1.0) ? v.value : d * fraction;
     v.logarithm = x < a + SCALAR(1.0) ? v.logarithm : ln_d + logarithm(fraction);
     v.by_ln_w = x < a + SCALAR(1.0) ? v.by_ln_w : SCALAR(2.0) * a / fraction;
-    v.by_flatness =
-        x < a + SCALAR(1.0) ? v.by_flatness : d_slope + numerator_slope / numerator - denominator_slope / denominator;
+    v.by_flatness = x < a + SCALAR(1.0)
+                        ? v.by_flatness
+                        : d_slope + numerator_slope / numerator - denominator_slope / denominator;
   }
   return v;
 }
@@ -98,9 +99,9 @@ typedef struct {
 } ReflectanceShadowingGradient;
 
 // V_m = 1 - E_0 (1 - S) forward and S backward, S = exp(-w_a onset) and E_0 = exp(-gamma onset_0).
-FN ReflectanceShadowingGradient reflectance_shadowing_gradient(real sine_i, real cosine_i, real sine_s, real cosine_s,
-                                                               real cos_phi, real sin2_phi, MaterialConstants m)
-{
+FN ReflectanceShadowingGradient reflectance_shadowing_gradient(real sine_i, real cosine_i, real sine_s,
+                                                               real cosine_s, real cos_phi, real sin2_phi,
+                                                               MaterialConstants m) {
   MaterialConstants unit = m;
   unit.w_a = SCALAR(1.0);
   const real onset = scatter_shadowing_exponent(sine_s, cosine_s, cos_phi, sin2_phi, unit);

@@ -19,10 +19,9 @@ typedef float table_real;
 // or coefficients that the table's precision cannot hold.
 enum { PAIR_NEAR_LIMIT = 1, PAIR_UNREPRESENTABLE = 8 };
 
-// The factors of one of `angles` polar angles, from arrays [POLAR_FACTORS][angles]: neighbouring work-items read
-// neighbouring numbers.
-FN PolarFactors polar_at(__global const real *restrict factors, int angles, size_t k)
-{
+// The factors of one of `angles` polar angles, from arrays [POLAR_FACTORS][angles]: neighbouring work-items
+// read neighbouring numbers.
+FN PolarFactors polar_at(__global const real *restrict factors, int angles, size_t k) {
   PolarFactors polar;
   polar.theta = factors[k];
   polar.sine = factors[k + angles];
@@ -35,13 +34,12 @@ FN PolarFactors polar_at(__global const real *restrict factors, int angles, size
   return polar;
 }
 
-// S of Eq. (13), and 1 - S on the forward side, else 0: [2][theta_s][azimuth]. V_m = (1 - E_0) + S E_0 is then
-// S + (1 - S)(1 - E_0) on either side. Without shadowing S = 1.
+// S of Eq. (13), and 1 - S on the forward side, else 0: [2][theta_s][azimuth]. V_m = (1 - E_0) + S E_0 is
+// then S + (1 - S)(1 - E_0) on either side. Without shadowing S = 1.
 __kernel void scatter_shadowing_table(__global const real *restrict polar_s, int angles_s,
-                                      __global const AzimuthFactors *restrict azimuth, int first_s, int azimuths,
-                                      __global table_real *restrict shadowing, MaterialConstants m,
-                                      ModelVariant variant)
-{
+                                      __global const AzimuthFactors *restrict azimuth, int first_s,
+                                      int azimuths, __global table_real *restrict shadowing,
+                                      MaterialConstants m, ModelVariant variant) {
   const size_t x = get_global_id(0);
   const size_t s = get_global_id(1);
   const PolarFactors polar = polar_at(polar_s, angles_s, first_s + s);
@@ -54,9 +52,9 @@ __kernel void scatter_shadowing_table(__global const real *restrict polar_s, int
   shadowing[get_global_size(1) * azimuths + at] = none ? 0 : (table_real)(phi.forward * a.blocked);
 }
 
-// The mean with weights 1/2 and 1/2, 1 and 0, or 0 and 1, all exact: a choice by branches would not be vectorised.
-FN Reflectances polarization_reflectances(PolarFactors i, PolarFactors s, real weight_s, real weight_p)
-{
+// The mean with weights 1/2 and 1/2, 1 and 0, or 0 and 1, all exact: a choice by branches would not be
+// vectorised.
+FN Reflectances polarization_reflectances(PolarFactors i, PolarFactors s, real weight_s, real weight_p) {
   const PolarizedReflectances r = polarized_reflectances(i.fresnel, s.fresnel);
   Reflectances mean;
   mean.surface = fma(weight_s, r.s.surface, weight_p * r.p.surface);
@@ -64,16 +62,16 @@ FN Reflectances polarization_reflectances(PolarFactors i, PolarFactors s, real w
   return mean;
 }
 
-// A Lorentzian lobe between two polar angles is amplitude/(axial + transverse sin^2(phi/2)), N included. Both sides are
-// scaled so that the denominator ranges about 1, and products of all three lobes' stay far from the ends of the
-// table's range. [lobe][3][theta_i][theta_s], of pairs_i x pairs_s.
-// n_i: [LOBE_COUNT][count_i]; n_s: [LOBE_COUNT][count_s], which matters for reciprocal normalisation only.
+// A Lorentzian lobe between two polar angles is amplitude/(axial + transverse sin^2(phi/2)), N included. Both
+// sides are scaled so that the denominator ranges about 1, and products of all three lobes' stay far from the
+// ends of the table's range. [lobe][3][theta_i][theta_s], of pairs_i x pairs_s. n_i: [LOBE_COUNT][count_i];
+// n_s: [LOBE_COUNT][count_s], which matters for reciprocal normalisation only.
 __kernel void lorentzian_pairs(__global const real *restrict polar_i, __global const real *restrict polar_s,
-                               __global const real *restrict n_i, int count_i, __global const real *restrict n_s,
-                               int count_s, int first_i, int first_s, int pairs_i, int pairs_s,
-                               __global table_real *restrict pairs, __global int *restrict alarms, real weight_s,
-                               real weight_p, MaterialConstants m, ModelVariant variant)
-{
+                               __global const real *restrict n_i, int count_i,
+                               __global const real *restrict n_s, int count_s, int first_i, int first_s,
+                               int pairs_i, int pairs_s, __global table_real *restrict pairs,
+                               __global int *restrict alarms, real weight_s, real weight_p,
+                               MaterialConstants m, ModelVariant variant) {
   const size_t s = get_global_id(0);
   const size_t i = get_global_id(1);
   const size_t at = i * pairs_s + s;
@@ -81,10 +79,12 @@ __kernel void lorentzian_pairs(__global const real *restrict polar_i, __global c
   const PolarFactors factors_i = polar_at(polar_i, count_i, first_i + i);
   const PolarFactors factors_s = polar_at(polar_s, count_s, first_s + s);
   const Reflectances reflectance = polarization_reflectances(factors_i, factors_s, weight_s, weight_p);
-  const LobeDistance distance = lobe_distance(factors_i.theta, factors_s.theta, factors_i.sine, factors_s.sine);
+  const LobeDistance distance =
+      lobe_distance(factors_i.theta, factors_s.theta, factors_i.sine, factors_s.sine);
   int alarm = 0;
   for (int lobe = 0; lobe < LOBE_COUNT; ++lobe) {
-    const real n = pair_normalization(n_i[lobe * count_i + first_i + i], n_s[lobe * count_s + first_s + s], variant);
+    const real n =
+        pair_normalization(n_i[lobe * count_i + first_i + i], n_s[lobe * count_s + first_s + s], variant);
     const real amplitude = lobe_amplitude(lobe, reflectance, m) * n;
     const real nearest = distance.axial + shadowed_rho2(lobe, factors_i, factors_s, m, variant);
     const real farthest = nearest + distance.transverse;
@@ -92,7 +92,8 @@ __kernel void lorentzian_pairs(__global const real *restrict polar_i, __global c
     const int present = !(amplitude <= LOBE_NEGLIGIBLE * nearest) & !(amplitude <= REAL(0.0));
     const real middle = REAL(1.0) / (sqrt(fmax(nearest, farthest * REAL(1e-30))) * sqrt(farthest));
     const real scale = fmax(middle, REAL(1e-30) / amplitude);
-    const int near_limit = (scale * nearest < TABLE_MIN * REAL(16.0)) | (amplitude > nearest * (TABLE_MAX / REAL(16.0))) |
+    const int near_limit = (scale * nearest < TABLE_MIN * REAL(16.0)) |
+                           (amplitude > nearest * (TABLE_MAX / REAL(16.0))) |
                            (scale * amplitude > TABLE_MAX * REAL(1e-10));
     const int representable = (scale * farthest < TABLE_MAX) & (scale * amplitude < TABLE_MAX);
     alarm |= ((present & near_limit) ? PAIR_NEAR_LIMIT : 0) << lobe;
@@ -105,19 +106,20 @@ __kernel void lorentzian_pairs(__global const real *restrict polar_i, __global c
   alarms[at] = alarm;
 }
 
-// What of the tables a range of nodes takes. Azimuths are those of one or more rows of phi_s; shadowing: [theta_s][azimuth].
+// What of the tables a range of nodes takes. Azimuths are those of one or more rows of phi_s; shadowing:
+// [theta_s][azimuth].
 typedef struct {
   int first_i;      // of theta_i
   int first_phi_i;  // of the rows
   int count_phi_i;
-  int first_s;      // of theta_s in the shadowing's table
-  int count_s;      // there
+  int first_s;  // of theta_s in the shadowing's table
+  int count_s;  // there
   int nodes_phi_s;
   int azimuths;
 } Range;
 
-// Where a node is: work-items run over phi_s, then theta_i and phi_i together, then theta_s, so that neighbouring
-// work-groups share the shadowing of a theta_s.
+// Where a node is: work-items run over phi_s, then theta_i and phi_i together, then theta_s, so that
+// neighbouring work-groups share the shadowing of a theta_s.
 typedef struct {
   size_t i;
   size_t azimuth;
@@ -126,8 +128,7 @@ typedef struct {
   size_t sample;                 // [theta_i][phi_i][theta_s][phi_s]
 } Node;
 
-FN Node node_here(Range range, __global const int *restrict row)
-{
+FN Node node_here(Range range, __global const int *restrict row) {
   const size_t incidence = get_global_id(1);
   const size_t i = incidence / (size_t)range.count_phi_i;
   const size_t s = get_global_id(2);
@@ -142,34 +143,34 @@ FN Node node_here(Range range, __global const int *restrict row)
   return node;
 }
 
-// f, [theta_i][phi_i][theta_s][phi_s]. Exact global size; no guards. `incidence` holds 1 - E_0 of every theta_i;
-// `row`: the first azimuth of each phi_i. Above and below the surface, V_m or, where `subsurface_shadowed` is 0, 1.
-// With `combined`, one division serves all lobes; see Plan::combines().
-#define LORENTZIAN_SAMPLES(name, combined)                                                                            \
-  __kernel void name(__global const table_real *restrict pairs, __global const table_real *restrict incidence,        \
-                     __global const table_real *restrict scatter, __global const table_real *restrict sin2_half,      \
-                     __global const table_real *restrict cos2_half, __global table_real *restrict f,                  \
-                     __global const int *restrict row, Range range, table_real subsurface_shadowed)                   \
-  {                                                                                                                   \
-    const Node node = node_here(range, row);                                                                          \
-    const size_t x = node.azimuth;                                                                                    \
-    __global const table_real *restrict amplitude = pairs + node.pair;                                                \
-    __global const table_real *restrict nearest = amplitude + node.pairs;                                             \
-    __global const table_real *restrict transverse = nearest + node.pairs;                                            \
-    const size_t lobe = 3 * node.pairs;                                                                               \
-    const table_real above = fma(scatter[node.shadowing + node.shadowings], incidence[node.i],                        \
-                                 scatter[node.shadowing]);                                                            \
-    const table_real below = fma(above, subsurface_shadowed, 1 - subsurface_shadowed);                                \
-    const table_real surface = fma(transverse[0], sin2_half[x], nearest[0]);                                          \
-    const table_real bulk = fma(transverse[lobe], sin2_half[x], nearest[lobe]);                                       \
-    const table_real retro = fma(transverse[2 * lobe], cos2_half[x], nearest[2 * lobe]);                              \
-    if (combined)                                                                                                     \
-      f[node.sample] = fma(above * amplitude[0], bulk * retro,                                                        \
-                           below * surface * fma(amplitude[lobe], retro, amplitude[2 * lobe] * bulk)) /               \
-                       (surface * (bulk * retro));                                                                    \
-    else                                                                                                              \
-      f[node.sample] = fma(above, amplitude[0] / surface,                                                             \
-                           below * (amplitude[lobe] / bulk + amplitude[2 * lobe] / retro));                           \
+// f, [theta_i][phi_i][theta_s][phi_s]. Exact global size; no guards. `incidence` holds 1 - E_0 of every
+// theta_i; `row`: the first azimuth of each phi_i. Above and below the surface, V_m or, where
+// `subsurface_shadowed` is 0, 1. With `combined`, one division serves all lobes; see Plan::combines().
+#define LORENTZIAN_SAMPLES(name, combined)                                                              \
+  __kernel void name(                                                                                   \
+      __global const table_real *restrict pairs, __global const table_real *restrict incidence,         \
+      __global const table_real *restrict scatter, __global const table_real *restrict sin2_half,       \
+      __global const table_real *restrict cos2_half, __global table_real *restrict f,                   \
+      __global const int *restrict row, Range range, table_real subsurface_shadowed) {                  \
+    const Node node = node_here(range, row);                                                            \
+    const size_t x = node.azimuth;                                                                      \
+    __global const table_real *restrict amplitude = pairs + node.pair;                                  \
+    __global const table_real *restrict nearest = amplitude + node.pairs;                               \
+    __global const table_real *restrict transverse = nearest + node.pairs;                              \
+    const size_t lobe = 3 * node.pairs;                                                                 \
+    const table_real above =                                                                            \
+        fma(scatter[node.shadowing + node.shadowings], incidence[node.i], scatter[node.shadowing]);     \
+    const table_real below = fma(above, subsurface_shadowed, 1 - subsurface_shadowed);                  \
+    const table_real surface = fma(transverse[0], sin2_half[x], nearest[0]);                            \
+    const table_real bulk = fma(transverse[lobe], sin2_half[x], nearest[lobe]);                         \
+    const table_real retro = fma(transverse[2 * lobe], cos2_half[x], nearest[2 * lobe]);                \
+    if (combined)                                                                                       \
+      f[node.sample] = fma(above * amplitude[0], bulk * retro,                                          \
+                           below * surface * fma(amplitude[lobe], retro, amplitude[2 * lobe] * bulk)) / \
+                       (surface * (bulk * retro));                                                      \
+    else                                                                                                \
+      f[node.sample] = fma(above, amplitude[0] / surface,                                               \
+                           below * (amplitude[lobe] / bulk + amplitude[2 * lobe] / retro));             \
   }
 
 LORENTZIAN_SAMPLES(lorentzian_samples, 1)
@@ -178,11 +179,11 @@ LORENTZIAN_SAMPLES(lorentzian_samples_apart, 0)
 // A Gaussian lobe is scale exp(-(axial + transverse sin^2(phi/2))): [lobe][3][theta_i][theta_s]. The exponent
 // needs the working precision: in float32 its rounding alone would cost 4e-6 at 1e-30 of the peak.
 __kernel void gaussian_pairs(__global const real *restrict polar_i, __global const real *restrict polar_s,
-                             __global const real *restrict n_i, int count_i, __global const real *restrict n_s,
-                             int count_s, int first_i, int first_s, int pairs_i, int pairs_s,
-                             __global real *restrict pairs, __global int *restrict alarms, real weight_s, real weight_p,
-                             MaterialConstants m, ModelVariant variant)
-{
+                             __global const real *restrict n_i, int count_i,
+                             __global const real *restrict n_s, int count_s, int first_i, int first_s,
+                             int pairs_i, int pairs_s, __global real *restrict pairs,
+                             __global int *restrict alarms, real weight_s, real weight_p, MaterialConstants m,
+                             ModelVariant variant) {
   const size_t s = get_global_id(0);
   const size_t i = get_global_id(1);
   const size_t at = i * pairs_s + s;
@@ -190,15 +191,16 @@ __kernel void gaussian_pairs(__global const real *restrict polar_i, __global con
   const PolarFactors factors_i = polar_at(polar_i, count_i, first_i + i);
   const PolarFactors factors_s = polar_at(polar_s, count_s, first_s + s);
   const Reflectances reflectance = polarization_reflectances(factors_i, factors_s, weight_s, weight_p);
-  const LobeDistance distance = lobe_distance(factors_i.theta, factors_s.theta, factors_i.sine, factors_s.sine);
+  const LobeDistance distance =
+      lobe_distance(factors_i.theta, factors_s.theta, factors_i.sine, factors_s.sine);
   int alarm = 0;
   for (int lobe = 0; lobe < LOBE_COUNT; ++lobe) {
-    const real n = pair_normalization(n_i[lobe * count_i + first_i + i], n_s[lobe * count_s + first_s + s], variant);
+    const real n =
+        pair_normalization(n_i[lobe * count_i + first_i + i], n_s[lobe * count_s + first_s + s], variant);
     const real amplitude = lobe_amplitude(lobe, reflectance, m);
     const real scale = amplitude > REAL(0.0) ? amplitude * n : REAL(0.0);
     const real rho2 = fmax(shadowed_rho2(lobe, factors_i, factors_s, m, variant), REAL_SMALLEST);
-    if (!(scale < TABLE_MAX))
-      alarm |= PAIR_NEAR_LIMIT << lobe;
+    if (!(scale < TABLE_MAX)) alarm |= PAIR_NEAR_LIMIT << lobe;
     // Past 1/REAL_SMALLEST the exponential is zero anywhere off the peak.
     __global real *restrict pair = pairs + lobe * 3 * count + at;
     pair[0] = scale;
@@ -208,21 +210,22 @@ __kernel void gaussian_pairs(__global const real *restrict polar_i, __global con
   alarms[at] = alarm;
 }
 
-FN real gaussian_lobe(__global const real *restrict lobe, size_t pairs, real distance)
-{
+FN real gaussian_lobe(__global const real *restrict lobe, size_t pairs, real distance) {
   return lobe[0] * exponential(-fma(lobe[2 * pairs], distance, lobe[pairs]));
 }
 
-__kernel void gaussian_samples(__global const real *restrict pairs, __global const table_real *restrict incidence,
-                               __global const table_real *restrict scatter, __global const real *restrict sin2_half,
+__kernel void gaussian_samples(__global const real *restrict pairs,
+                               __global const table_real *restrict incidence,
+                               __global const table_real *restrict scatter,
+                               __global const real *restrict sin2_half,
                                __global const real *restrict cos2_half, __global table_real *restrict f,
-                               __global const int *restrict row, Range range, table_real subsurface_shadowed)
-{
+                               __global const int *restrict row, Range range,
+                               table_real subsurface_shadowed) {
   const Node node = node_here(range, row);
   __global const real *restrict lobe = pairs + node.pair;
   const size_t next = 3 * node.pairs;
-  const table_real above = fma(scatter[node.shadowing + node.shadowings], incidence[node.i],
-                               scatter[node.shadowing]);
+  const table_real above =
+      fma(scatter[node.shadowing + node.shadowings], incidence[node.i], scatter[node.shadowing]);
   const table_real below = fma(above, subsurface_shadowed, 1 - subsurface_shadowed);
   const real surface = gaussian_lobe(lobe, node.pairs, sin2_half[node.azimuth]);
   const real bulk = gaussian_lobe(lobe + next, node.pairs, sin2_half[node.azimuth]);
@@ -233,12 +236,13 @@ __kernel void gaussian_samples(__global const real *restrict pairs, __global con
 // f depends on phi_s - phi_i only: on uniform grids the row of a phi_i is a piece of one longer row,
 // strips [theta_i][theta_s][strip], from shift[phi_i] on. f: [theta_i][phi_i][theta_s][phi_s].
 __kernel void shifted_rows(__global const table_real *restrict strips, __global const int *restrict shift,
-                           __global table_real *restrict f, int strip, int nodes_phi_s, int first_phi_i, int count_phi_i)
-{
+                           __global table_real *restrict f, int strip, int nodes_phi_s, int first_phi_i,
+                           int count_phi_i) {
   const size_t x = get_global_id(0);
   const size_t s = get_global_id(1);
   const size_t incidence = get_global_id(2);
   const size_t i = incidence / (size_t)count_phi_i;
   const size_t from = shift[first_phi_i + incidence % (size_t)count_phi_i];
-  f[(incidence * get_global_size(1) + s) * nodes_phi_s + x] = strips[(i * get_global_size(1) + s) * strip + from + x];
+  f[(incidence * get_global_size(1) + s) * nodes_phi_s + x] =
+      strips[(i * get_global_size(1) + s) * strip + from + x];
 }

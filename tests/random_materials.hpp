@@ -16,23 +16,28 @@ class RandomMaterials {
  public:
   explicit RandomMaterials(unsigned seed) : random_(seed) {}
 
-  double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
+  double uniform(double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random_);
+  }
   bool chance(double probability) { return uniform(0, 1) < probability; }
 
-  /// One draw in six is an end of the range; the others are logarithmic, from 1e-4 where the range starts at 0.
+  /// One draw in six is an end of the range; the others are logarithmic, from 1e-4 where the range starts at
+  /// 0.
   Parameters parameters() {
     Parameters p{};
     for (const auto& row : parameter_table) {
       const double low = row.minimum > 0 ? row.minimum : 1e-4;
-      p.*row.member =
-          chance(1. / 6) ? (chance(0.5) ? row.minimum : row.maximum) : std::exp(uniform(std::log(low), std::log(row.maximum)));
+      p.*row.member = chance(1. / 6) ? (chance(0.5) ? row.minimum : row.maximum)
+                                     : std::exp(uniform(std::log(low), std::log(row.maximum)));
     }
     return p;
   }
 
   /// What a fit to paint, plastic or metal may give: every term of the model matters somewhere.
   Parameters plausible() {
-    const auto around = [&](double low, double high) { return std::exp(uniform(std::log(low), std::log(high))); };
+    const auto around = [&](double low, double high) {
+      return std::exp(uniform(std::log(low), std::log(high)));
+    };
     return {.n_eff = around(0.6, 5),
             .k_eff = chance(0.5) ? 0 : around(0.01, 5),
             .sigma_surface = around(0.05, 2),
@@ -49,10 +54,11 @@ class RandomMaterials {
             .n = chance(0.3) ? 0 : uniform(0, 40)};
   }
 
-  ModelSwitches switches() {
-    ModelSwitches s;
+  Variant variant() {
+    Variant s;
     s.autocovariance = chance(0.5) ? Autocovariance::lorentzian : Autocovariance::gaussian;
-    const int normalization = static_cast<int>(uniform(0, s.autocovariance == Autocovariance::lorentzian ? 3 : 2));
+    const int normalization =
+        static_cast<int>(uniform(0, s.autocovariance == Autocovariance::lorentzian ? 3 : 2));
     s.normalization = static_cast<Normalization>(normalization);
     s.foreshortening = chance(0.7);
     s.width_shadowing = chance(0.7);
@@ -75,10 +81,11 @@ inline std::string text_of(const Parameters& p) {
   return text;
 }
 
-inline std::string text_of(const ModelSwitches& s) {
-  return fmt::format("normalization={} autocovariance={} foreshortening={} width_shadowing={} reflectance_shadowing={}",
-                     static_cast<int>(s.normalization), static_cast<int>(s.autocovariance), s.foreshortening, s.width_shadowing,
-                     static_cast<int>(s.reflectance_shadowing));
+inline std::string text_of(const Variant& s) {
+  return fmt::format(
+      "normalization={} autocovariance={} foreshortening={} width_shadowing={} reflectance_shadowing={}",
+      static_cast<int>(s.normalization), static_cast<int>(s.autocovariance), s.foreshortening,
+      s.width_shadowing, static_cast<int>(s.reflectance_shadowing));
 }
 
 }  // namespace brdftab

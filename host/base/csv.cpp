@@ -7,7 +7,8 @@
 
 namespace brdftab {
 
-Csv::Csv(std::istream& in, std::string source, std::string_view wanted) : in_(in), source_(std::move(source)) {
+Csv::Csv(std::istream& in, std::string source, std::string_view wanted)
+    : in_(in), source_(std::move(source)) {
   if (!advance()) throw BadInput("{}:1: is empty; a header must name {}", source_, wanted);
   header_.assign(cells_.begin(), cells_.end());
 }
@@ -22,7 +23,8 @@ const std::vector<std::string_view>* Csv::next() {
 std::optional<std::size_t> Csv::column(std::string_view name) const {
   const auto at = std::find(header_.begin(), header_.end(), name);
   if (at == header_.end()) return std::nullopt;
-  if (std::count(header_.begin(), header_.end(), name) > 1) throw BadInput("{}: the column {} appears twice", where(), name);
+  if (std::count(header_.begin(), header_.end(), name) > 1)
+    throw BadInput("{}: the column {} appears twice", where(), name);
   return static_cast<std::size_t>(at - header_.begin());
 }
 

@@ -11,7 +11,8 @@ namespace brdftab {
 
 class Csv {
  public:
-  /// Reads the header. Throws BadInput `SOURCE:1: is empty; ...` where there is none; `wanted` says what it should name.
+  /// Reads the header. Throws BadInput `SOURCE:1: is empty; ...` where there is none; `wanted` says what it
+  /// should name.
   Csv(std::istream& in, std::string source, std::string_view wanted);
 
   /// The next row, or none. Throws BadInput where it has not as many cells as the header.

@@ -1,4 +1,4 @@
-// Exit statuses, and the one exception that carries one.
+// What can go wrong, and the exceptions that say so.
 #pragma once
 
 #include <fmt/format.h>
@@ -9,37 +9,80 @@
 
 namespace brdftab {
 
-enum class ExitStatus { done = 0, check_failed = 1, bad_input = 2, device = 3, file = 4, interrupted = 130 };
-
-/// Thrown where a fault happens, caught once in main. The message is one line, but for a build log.
-class Error : public std::runtime_error {
- public:
-  Error(ExitStatus status, const std::string& message) : std::runtime_error(message), status_(status) {}
-
-  template <class... Args>
-  Error(ExitStatus status, fmt::format_string<Args...> format, Args&&... args)
-      : Error(status, fmt::format(format, std::forward<Args>(args)...)) {}
-
-  ExitStatus status() const { return status_; }
-
- private:
-  ExitStatus status_;
+/// The kind of a fault. Whoever calls the library turns it into an exit status or an exception of its own.
+enum class Fault {
+  input,    // something that was given is not allowed
+  device,   // an OpenCL device or its driver
+  file,     // a file cannot be read or written
+  check,    // a result is not what it has to be
+  stopped,  // the caller asked for the end
 };
 
-/// Input that the user can mend: exit status 2.
+/// The message is one line, except that a build log follows the failure of a kernel's build.
+///
+/// Messages name a setting in backquotes, by the name that it has in the library: `keep_bits`. Each user of
+/// the library spells it as its own users know it: --keep-bits.
+class Error : public std::runtime_error {
+ public:
+  Error(Fault fault, const std::string& message) : std::runtime_error(message), fault_(fault) {}
+
+  template <class... Args>
+  Error(Fault fault, fmt::format_string<Args...> format, Args&&... args)
+      : Error(fault, fmt::format(format, std::forward<Args>(args)...)) {}
+
+  Fault fault() const { return fault_; }
+
+ private:
+  Fault fault_;
+};
+
+/// A setting or a key, and the value that was given for it, as text.
+struct GivenValue {
+  std::string field;
+  std::string value;
+};
+
+/// Something that was given and is not allowed.
 class BadInput : public Error {
  public:
   template <class... Args>
   explicit BadInput(fmt::format_string<Args...> format, Args&&... args)
-      : Error(ExitStatus::bad_input, format, std::forward<Args>(args)...) {}
+      : Error(Fault::input, format, std::forward<Args>(args)...) {}
+
+  /// The message is "`FIELD` VALUE: ALLOWED".
+  template <class... Args>
+  explicit BadInput(GivenValue given, fmt::format_string<Args...> allowed, Args&&... args)
+      : BadInput(std::move(given), fmt::format(allowed, std::forward<Args>(args)...), "") {}
+
+  /// The message is "PLACE: FIELD = VALUE: ALLOWED": a value in a file.
+  static BadInput at(const std::string& place, GivenValue given, std::string allowed) {
+    std::string message = fmt::format("{}: {} = {}: {}", place, given.field, given.value, allowed);
+    return BadInput(std::move(given), std::move(allowed), std::move(message));
+  }
+
+  /// What was refused, where one value was; otherwise empty.
+  const std::string& field() const { return given_.field; }
+  const std::string& value() const { return given_.value; }
+  /// What would have been allowed there.
+  const std::string& allowed() const { return allowed_; }
+
+ private:
+  BadInput(GivenValue given, std::string allowed, std::string message)
+      : Error(Fault::input,
+              message.empty() ? fmt::format("`{}` {}: {}", given.field, given.value, allowed) : message),
+        given_(std::move(given)),
+        allowed_(std::move(allowed)) {}
+
+  GivenValue given_;
+  std::string allowed_;
 };
 
-/// A file that cannot be read or written: exit status 4.
+/// A file that cannot be read or written.
 class FileError : public Error {
  public:
   template <class... Args>
   explicit FileError(fmt::format_string<Args...> format, Args&&... args)
-      : Error(ExitStatus::file, format, std::forward<Args>(args)...) {}
+      : Error(Fault::file, format, std::forward<Args>(args)...) {}
 };
 
 }  // namespace brdftab

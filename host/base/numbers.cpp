@@ -36,7 +36,8 @@ std::string shortest(double value) { return fmt::format("{}", value == 0 ? 0.0 :
 
 std::string excerpt(std::string_view text, std::size_t longest) {
   std::string result;
-  for (const char c : text.substr(0, longest)) result += (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) ? '?' : c;
+  for (const char c : text.substr(0, longest))
+    result += (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) ? '?' : c;
   if (text.size() > longest) result += "...";
   return result;
 }

@@ -7,7 +7,8 @@
 
 namespace brdftab {
 
-/// The whole of text (blanks around it apart) as a number; none if it is anything else. nan and inf are numbers here.
+/// The whole of text (blanks around it apart) as a number; none if it is anything else. nan and inf are
+/// numbers here.
 std::optional<double> parse_number(std::string_view text);
 std::optional<long double> parse_long_number(std::string_view text);
 

@@ -1,5 +1,5 @@
-// Keeps a long run of writes from filling the page cache: past what memory holds, a kernel that is left to itself
-// alternates between copying and waiting for the disk.
+// Keeps a long run of writes from filling the page cache: past what memory holds, a kernel that is left to
+// itself alternates between copying and waiting for the disk.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,8 @@ class PageCacheWindow {
   PageCacheWindow& operator=(const PageCacheWindow&) = delete;
   ~PageCacheWindow();
 
-  /// Says that a piece has been written: its way to the disk begins, that of the piece four before is awaited.
+  /// Says that a piece has been written: its way to the disk begins, that of the piece four before is
+  /// awaited.
   void written(std::uint64_t offset, std::uint64_t bytes);
 
  private:

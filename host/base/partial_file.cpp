@@ -22,10 +22,12 @@ std::string system_message(int code) { return std::generic_category().message(co
 
 }  // namespace
 
-PartialFile::PartialFile(std::filesystem::path target, bool force) : target_(std::move(target)), force_(force) {
+PartialFile::PartialFile(std::filesystem::path target, bool force)
+    : target_(std::move(target)), force_(force) {
   std::error_code error;
   // Through a link, so that the link stays.
-  if (std::filesystem::is_symlink(target_, error)) target_ = std::filesystem::weakly_canonical(target_, error);
+  if (std::filesystem::is_symlink(target_, error))
+    target_ = std::filesystem::weakly_canonical(target_, error);
   const auto folder = target_.has_parent_path() ? target_.parent_path() : std::filesystem::path(".");
   if (std::filesystem::is_directory(target_, error)) throw FileError("{}: is a folder", target_.string());
   if (!std::filesystem::is_directory(folder, error))

@@ -8,8 +8,8 @@ namespace brdftab {
 /// A file written beside its place and renamed by `commit`; removed if that does not happen.
 class PartialFile {
  public:
-  /// Throws FileError if `target` exists and `force` is not set, if its folder is missing or not writable, or if
-  /// `target` is a folder.
+  /// Throws FileError if `target` exists and `force` is not set, if its folder is missing or not writable, or
+  /// if `target` is a folder.
   PartialFile(std::filesystem::path target, bool force);
   PartialFile(const PartialFile&) = delete;
   PartialFile& operator=(const PartialFile&) = delete;

@@ -7,8 +7,8 @@
 
 namespace brdftab {
 
-/// Nothing else writes into it, and it is removed with the object. Those of runs that were killed are removed by the
-/// next run: a lock tells them from those in use.
+/// Nothing else writes into it, and it is removed with the object. Those of runs that were killed are removed
+/// by the next run: a lock tells them from those in use.
 class RunFolder {
  public:
   /// In `parent`, which exists. Throws std::system_error.

@@ -11,7 +11,9 @@
 namespace brdftab {
 namespace {
 
-[[noreturn]] void fail(const char* what, int code) { throw FileError("{}: {}", what, std::generic_category().message(code)); }
+[[noreturn]] void fail(const char* what, int code) {
+  throw FileError("{}: {}", what, std::generic_category().message(code));
+}
 
 }  // namespace
 

@@ -5,7 +5,6 @@
 #include <system_error>
 
 #include "host/base/error.hpp"
-#include "host/base/interrupt.hpp"
 
 namespace brdftab {
 
@@ -24,11 +23,11 @@ std::string read_whole(const std::filesystem::path& file) {
 }
 
 void write_whole(const std::filesystem::path& file, std::string_view bytes) {
-  stop_if_interrupted();
   std::ofstream out(file, std::ios::binary | std::ios::trunc);
   out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   out.close();
-  if (!out) throw FileError("{}: cannot be written: {}", file.string(), std::generic_category().message(errno));
+  if (!out)
+    throw FileError("{}: cannot be written: {}", file.string(), std::generic_category().message(errno));
 }
 
 }  // namespace brdftab

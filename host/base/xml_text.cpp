@@ -41,8 +41,10 @@ std::string restored(std::string_view text) {
   return result;
 }
 
-// Where the first element of that name lies, from the text after its opening tag to its closing tag; npos if there is none.
-std::pair<std::size_t, std::size_t> find_element(std::string_view text, std::string_view name, std::size_t from) {
+// Where the first element of that name lies, from the text after its opening tag to its closing tag; npos if
+// there is none.
+std::pair<std::size_t, std::size_t> find_element(std::string_view text, std::string_view name,
+                                                 std::size_t from) {
   constexpr std::size_t none = std::string_view::npos;
   const std::string opening = fmt::format("<{}", name);
   for (std::size_t at = text.find(opening, from); at != none; at = text.find(opening, at + 1)) {

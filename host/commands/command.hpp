@@ -2,13 +2,15 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+
 #include <functional>
 #include <optional>
 #include <string>
 
-#include "host/model/axis.hpp"
+#include "host/base/watch.hpp"
+#include "host/commands/exit_status.hpp"
 #include "host/compute/opencl/engine.hpp"
-#include "host/base/error.hpp"
+#include "host/model/axis.hpp"
 
 namespace brdftab {
 
@@ -17,6 +19,8 @@ struct CommonOptions {
   bool quiet = false;
   /// The command line, for a table's history.
   std::string command_line;
+  /// What the library tells, and the signals that end its work.
+  Watch watch;
 };
 
 /// Adds a command's options to its parser, and returns what runs it once they are parsed.
@@ -47,6 +51,9 @@ Precision working_precision(const std::string& option, const Device& device);
 std::string axis_option(const AxisRow& row);
 /// The axis that such an option gives. Throws BadInput that names the option.
 Axis parse_axis_option(AxisKind kind, const std::string& text);
+
+/// A message of the library with its settings as options: `keep_bits` becomes --keep-bits.
+std::string spelled(std::string_view message);
 
 /// A line of talk on standard error, unless quiet.
 void say(const CommonOptions& common, const std::string& line);

@@ -6,9 +6,9 @@
 #include <iostream>
 #include <random>
 
-#include "host/commands/command.hpp"
 #include "host/base/numbers.hpp"
 #include "host/base/partial_file.hpp"
+#include "host/commands/command.hpp"
 
 namespace brdftab {
 namespace {
@@ -45,11 +45,12 @@ void check_finite(const Material& material, const Band& band, std::span<const Di
   for (std::size_t k = 0; k < pairs.size(); ++k)
     if (!std::isfinite(values[k].s) || !std::isfinite(values[k].p))
       throw BadInput(
-          "{}:{}: brdf of {} is not finite at theta_i = {}, theta_s = {}, phi = {} degrees: rho_surface = {}, rho_bulk "
+          "{}:{}: brdf of {} is not finite at theta_i = {}, theta_s = {}, phi = {} degrees: rho_surface = "
+          "{}, rho_bulk "
           "= {}, rho_retro = {}, w = {} and n = {} make a lobe too narrow there",
-          source, pairs[k].line, material.name(), shortest(pairs[k].theta_i), shortest(pairs[k].theta_s), shortest(pairs[k].phi),
-          shortest(band.parameters.rho_surface), shortest(band.parameters.rho_bulk), shortest(band.parameters.rho_retro),
-          shortest(band.parameters.w), shortest(band.parameters.n));
+          source, pairs[k].line, material.name(), shortest(pairs[k].theta_i), shortest(pairs[k].theta_s),
+          shortest(pairs[k].phi), shortest(band.parameters.rho_surface), shortest(band.parameters.rho_bulk),
+          shortest(band.parameters.rho_retro), shortest(band.parameters.w), shortest(band.parameters.n));
 }
 
 std::string table_text(const Material& material, std::span<const DirectionPair> pairs,
@@ -57,12 +58,14 @@ std::string table_text(const Material& material, std::span<const DirectionPair> 
   fmt::memory_buffer text;
   const auto out = std::back_inserter(text);
   const bool bands = material.has_wavelengths();
-  fmt::format_to(out, "{}theta_i_deg,theta_s_deg,phi_deg,brdf_s,brdf_p,brdf\n", bands ? "wavelength_nm," : "");
+  fmt::format_to(out, "{}theta_i_deg,theta_s_deg,phi_deg,brdf_s,brdf_p,brdf\n",
+                 bands ? "wavelength_nm," : "");
   for (std::size_t b = 0; b < values.size(); ++b)
     for (std::size_t k = 0; k < pairs.size(); ++k) {
       if (bands) fmt::format_to(out, "{},", shortest(*material.bands()[b].wavelength_nm));
-      fmt::format_to(out, "{},{},{},{:.{}g},{:.{}g},{:.{}g}\n", shortest(pairs[k].theta_i), shortest(pairs[k].theta_s),
-                     shortest(pairs[k].phi), values[b][k].s, digits, values[b][k].p, digits, values[b][k].unpolarized(), digits);
+      fmt::format_to(out, "{},{},{},{:.{}g},{:.{}g},{:.{}g}\n", shortest(pairs[k].theta_i),
+                     shortest(pairs[k].theta_s), shortest(pairs[k].phi), values[b][k].s, digits,
+                     values[b][k].p, digits, values[b][k].unpolarized(), digits);
     }
   return fmt::to_string(text);
 }
@@ -79,8 +82,9 @@ void add_noise(std::vector<PolarizedBrdf>& values, const Options& options) {
   }
 }
 
-ExitStatus run(const Options& options) {
-  if (options.material == "-" && options.pairs == "-") throw BadInput("MATERIAL and PAIRS cannot both be standard input");
+ExitStatus run(const Options& options, const CommonOptions& common) {
+  if (options.material == "-" && options.pairs == "-")
+    throw BadInput("MATERIAL and PAIRS cannot both be standard input");
   const Material material = Material::read(options.material);
   if (options.engine == "reference" && options.precision == "float32")
     throw BadInput("--engine reference computes in float64 only");
@@ -91,19 +95,24 @@ ExitStatus run(const Options& options) {
   std::vector<std::vector<PolarizedBrdf>> values;
   int digits = 17;
   if (options.engine == "reference") {
-    for (const Band& band : material.bands()) values.push_back(evaluate_reference(band, material.switches(), pairs));
+    for (const Band& band : material.bands())
+      values.push_back(evaluate_reference(band, material.variant(), pairs, common.watch));
   } else {
     const Device device = select_device(options.device);
     const Precision working = working_precision(options.precision, device);
-    const Engine engine(device, working, Precision::float32);
-    for (const Band& band : material.bands()) values.push_back(evaluate(engine, band, material.switches(), pairs));
+    const Engine engine(device, working, Precision::float32, common.watch);
+    for (const Band& band : material.bands())
+      values.push_back(evaluate(engine, band, material.variant(), pairs));
     digits = working == Precision::float64 ? 17 : 9;
   }
   for (auto& band : values) add_noise(band, options);
-  for (std::size_t b = 0; b < values.size(); ++b) check_finite(material, material.bands()[b], pairs, values[b], source);
+  for (std::size_t b = 0; b < values.size(); ++b)
+    check_finite(material, material.bands()[b], pairs, values[b], source);
   std::string text = table_text(material, pairs, values, digits);
   if (options.noise > 0)
-    text = fmt::format("# ln f with noise of standard deviation {}, seed {}\n", shortest(options.noise), options.seed) + text;
+    text = fmt::format("# ln f with noise of standard deviation {}, seed {}\n", shortest(options.noise),
+                       options.seed) +
+           text;
   if (!file) {
     std::fwrite(text.data(), 1, text.size(), stdout);
     return ExitStatus::done;
@@ -111,26 +120,30 @@ ExitStatus run(const Options& options) {
   std::ofstream out(file->path(), std::ios::binary);
   out << text;
   out.close();
-  if (!out) throw FileError("{}: cannot be written: {}", options.output, std::generic_category().message(errno));
+  if (!out)
+    throw FileError("{}: cannot be written: {}", options.output, std::generic_category().message(errno));
   file->commit();
   return ExitStatus::done;
 }
 
 }  // namespace
 
-std::function<ExitStatus()> evaluate_command(CLI::App& parser, const CommonOptions&) {
+std::function<ExitStatus()> evaluate_command(CLI::App& parser, const CommonOptions& common) {
   auto options = std::make_shared<Options>();
   parser.add_option("MATERIAL", options->material, "Material file (TOML)")->required();
   parser.add_option("PAIRS", options->pairs,
-                    "CSV with the columns theta_i_deg, theta_s_deg, phi_deg (or phi_s_deg), in degrees; default: standard input");
+                    "CSV with the columns theta_i_deg, theta_s_deg, phi_deg (or phi_s_deg), in degrees; "
+                    "default: standard input");
   parser.add_option("-o,--output", options->output, "CSV file to write; default: standard output");
   add_engine_options(parser, options->engine, options->precision);
-  parser.add_option("--noise", options->noise, "Adds normal noise of this standard deviation to ln f: a synthetic measurement")
+  parser
+      .add_option("--noise", options->noise,
+                  "Adds normal noise of this standard deviation to ln f: a synthetic measurement")
       ->check(CLI::NonNegativeNumber);
   parser.add_option("--seed", options->seed, "Of the noise");
   parser.add_flag("--force", options->force, "Overwrite an existing output");
   add_device_option(parser, options->device);
-  return [options] { return run(*options); };
+  return [options, &common] { return run(*options, common); };
 }
 
 }  // namespace brdftab

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <chrono>
 
-#include "host/formats/export/export_errors.hpp"
 #include "host/base/numbers.hpp"
 #include "host/base/partial_file.hpp"
+#include "host/formats/export/export_errors.hpp"
 
 namespace brdftab {
 namespace {
@@ -23,7 +23,8 @@ std::string group_of(const ExportFormat& format) {
 void ExportOption::add(CLI::App& parser) {
   parser
       .add_option("--wavelength", wavelength_nm_,
-                  "Only the band at this wavelength, nm, of a material that has several; formats that hold one band need it")
+                  "Only the band at this wavelength, nm, of a material that has several; formats that hold "
+                  "one band need it")
       ->group(shared_group);
   parser.add_option("--illuminant", illuminant_, "For colours from bands: D65 (default), or E: equal energy")
       ->check(CLI::IsMember(std::vector<std::string>(illuminant_names.begin(), illuminant_names.end())))
@@ -46,29 +47,33 @@ void ExportOption::check(const CLI::App& parser, const ExportFormat* chosen) con
     if (chosen && !chosen->traits().takes_axes && option->get_group() == axes_group)
       refuse(option, "formats whose axes are free");
     for (const auto& format : formats_)
-      if (format.get() != chosen && option->get_group() == group_of(*format)) refuse(option, format->traits().name);
+      if (format.get() != chosen && option->get_group() == group_of(*format))
+        refuse(option, format->traits().name);
   }
 }
 
-Material ExportOption::material_for(const ExportFormat& format, const MaterialOutput& output, const Grid& grid) const {
+Material ExportOption::material_for(const ExportFormat& format, const MaterialOutput& output,
+                                    const Grid& grid) const {
   const Material material = wavelength_nm_ ? output.material.at_wavelength(*wavelength_nm_) : output.material;
   if (!format.traits().holds_bands && material.bands().size() > 1)
-    throw BadInput("{}: has {} bands, and {} holds one: --wavelength chooses it", output.input, material.bands().size(),
-                   format.traits().name);
+    throw BadInput("{}: has {} bands, and {} holds one: --wavelength chooses it", output.input,
+                   material.bands().size(), format.traits().name);
   const std::size_t samples = grid.directions() * material.bands().size();
   if (format.traits().takes_axes && samples > most_samples)
-    throw BadInput("{}: the axes have {} samples, and {} takes at most {}: coarser axes, --wavelength, or hdf5", output.input,
-                   samples, format.traits().name, most_samples);
+    throw BadInput(
+        "{}: the axes have {} samples, and {} takes at most {}: coarser axes, --wavelength, or hdf5",
+        output.input, samples, format.traits().name, most_samples);
   return material;
 }
 
-void ExportOption::write(const Engine& engine, const ExportFormat& format, const Material& material, const Grid& grid,
-                         const std::filesystem::path& target, const std::string& history, bool force,
-                         const CommonOptions& common) const {
+void ExportOption::write(const Engine& engine, const ExportFormat& format, const Material& material,
+                         const Grid& grid, const std::filesystem::path& target, const std::string& history,
+                         bool force, const CommonOptions& common) const {
   const auto start = std::chrono::steady_clock::now();
   const bool is_d65 = illuminant_ == name_of(Illuminant::d65);
-  const ExportSource source(
-      engine, material, {.grid = grid, .illuminant = is_d65 ? Illuminant::d65 : Illuminant::equal_energy, .history = history});
+  const ExportModel source(
+      engine, material,
+      {.grid = grid, .illuminant = is_d65 ? Illuminant::d65 : Illuminant::equal_energy, .history = history});
   PartialFile file(target, force);
   const auto notes = format.write(file.path(), source);
   const auto table = format.read(file.path());

@@ -19,13 +19,14 @@ class ExportOption {
   /// Throws BadInput where an option was given that does not go with the format; null: a dense table.
   void check(const CLI::App& parser, const ExportFormat* chosen) const;
 
-  /// The material, or the one band of it that was asked for. Throws BadInput where the format does not hold its bands, or so
-  /// many samples.
+  /// The material, or the one band of it that was asked for. Throws BadInput where the format does not hold
+  /// its bands, or so many samples.
   Material material_for(const ExportFormat& format, const MaterialOutput& output, const Grid& grid) const;
 
   /// Writes a material's file, and says what its consumer will get from it.
   void write(const Engine& engine, const ExportFormat& format, const Material& material, const Grid& grid,
-             const std::filesystem::path& target, const std::string& history, bool force, const CommonOptions& common) const;
+             const std::filesystem::path& target, const std::string& history, bool force,
+             const CommonOptions& common) const;
 
  private:
   ExportFormats formats_;

@@ -4,14 +4,14 @@
 #include <fstream>
 #include <map>
 
-#include "host/commands/command.hpp"
-#include "host/commands/measurement_option.hpp"
-#include "host/pictures/fit_pictures.hpp"
-#include "host/fit/fit_summary.hpp"
-#include "host/model/measurement/measured_light.hpp"
 #include "host/base/numbers.hpp"
 #include "host/base/partial_file.hpp"
+#include "host/commands/command.hpp"
+#include "host/commands/measurement_option.hpp"
+#include "host/fit/fit_summary.hpp"
+#include "host/model/measurement/measured_light.hpp"
 #include "host/model/variant.hpp"
+#include "host/pictures/fit_pictures.hpp"
 
 namespace brdftab {
 namespace {
@@ -43,22 +43,25 @@ struct Options {
   bool force = false;
 };
 
-void choose_variant(ModelSwitches& switches, const std::string& text) {
+void choose_variant(Variant& variant, const std::string& text) {
   const auto equals = std::min(text.find('='), text.size());
-  for (const SwitchRow& row : switch_table()) {
+  for (const VariantRow& row : variant_table()) {
     if (row.name != text.substr(0, equals)) continue;
     const std::string value = text.substr(std::min(equals + 1, text.size()));
     const auto choice = std::find(row.choices.begin(), row.choices.end(), value);
-    if (choice == row.choices.end()) throw BadInput("--model {}: must be one of {}", excerpt(text), fmt::join(row.choices, ", "));
-    row.set(switches, static_cast<int>(choice - row.choices.begin()));
+    if (choice == row.choices.end())
+      throw BadInput("--model {}: must be one of {}", excerpt(text), fmt::join(row.choices, ", "));
+    row.set(variant, static_cast<int>(choice - row.choices.begin()));
     return;
   }
-  throw BadInput("--model {}: must be SWITCH=CHOICE, with a switch that `brdftab parameters` lists", excerpt(text));
+  throw BadInput("--model {}: must be SWITCH=CHOICE, with a switch that `brdftab parameters` lists",
+                 excerpt(text));
 }
 
 std::size_t channel_index(const Measurement& measurement, const std::string& name) {
   if (const auto index = measurement.find_channel(name)) return *index;
-  throw BadInput("--channel {}: {} has {}", excerpt(name), measurement.source, fmt::join(measurement.channels, ", "));
+  throw BadInput("--channel {}: {} has {}", excerpt(name), measurement.source,
+                 fmt::join(measurement.channels, ", "));
 }
 
 // Bands of a material increase in wavelength.
@@ -66,7 +69,8 @@ Measurement by_wavelength(const Measurement& measurement) {
   std::map<double, std::size_t> order;
   for (std::size_t c = 0; c < measurement.channels.size(); ++c)
     if (!order.emplace(*measurement.wavelength_nm(c), c).second)
-      throw BadInput("{}: two channels are {} nm", measurement.source, shortest(*measurement.wavelength_nm(c)));
+      throw BadInput("{}: two channels are {} nm", measurement.source,
+                     shortest(*measurement.wavelength_nm(c)));
   Measurement sorted{.source = measurement.source,
                      .channels = {},
                      .samples = {},
@@ -87,19 +91,22 @@ Measurement chosen_channels(const Options& options, const Measurement& measureme
   if (!options.wavelengths.empty()) {
     for (std::size_t c = 0; c < measurement.channels.size(); ++c)
       if (!measurement.wavelength_nm(c))
-        throw BadInput("--wavelengths all: the channel '{}' of {} is no wavelength in nm", excerpt(measurement.channels[c]),
-                       measurement.source);
+        throw BadInput("--wavelengths all: the channel '{}' of {} is no wavelength in nm",
+                       excerpt(measurement.channels[c]), measurement.source);
     // A material with such bands is a wrong number that outlives its warning.
     for (std::size_t c = 0; c < measurement.channels.size(); ++c)
       if (const double nm = *measurement.wavelength_nm(c);
           !options.reading.options().wavelength_unit && !is_plausible_wavelength(nm))
-        throw BadInput("--wavelengths all: the channel '{}' of {} would be {} nm; --wavelength-unit nm, um or m says its unit",
-                       excerpt(measurement.channels[c]), measurement.source, shortest(nm));
+        throw BadInput(
+            "--wavelengths all: the channel '{}' of {} would be {} nm; --wavelength-unit nm, um or m says "
+            "its unit",
+            excerpt(measurement.channels[c]), measurement.source, shortest(nm));
     return by_wavelength(measurement);
   }
   if (!options.channel.empty()) return measurement.channel(channel_index(measurement, options.channel));
   if (measurement.channels.size() > 1)
-    throw BadInput("{}: has {} channels: --channel takes one of {}{}", measurement.source, measurement.channels.size(),
+    throw BadInput("{}: has {} channels: --channel takes one of {}{}", measurement.source,
+                   measurement.channels.size(),
                    excerpt(fmt::format("{}", fmt::join(measurement.channels, ", ")), 200),
                    measurement.wavelength_nm(0) ? "; --wavelengths all fits them together" : "");
   return measurement;
@@ -122,16 +129,19 @@ void write(PartialFile& file, const std::string& target, const std::string& text
 // What would contradict itself is refused, not guessed.
 void check_statistics(const Options& options) {
   if (options.fit.noise && !options.weights.empty())
-    throw BadInput("--weights {}: --noise gives each sample its sigma, and with it its weight: give one of the two",
-                   options.weights);
+    throw BadInput(
+        "--weights {}: --noise gives each sample its sigma, and with it its weight: give one of the two",
+        options.weights);
   if (options.floor && options.fit.take_sigma())
     throw BadInput(
-        "--floor {}: --weights sigma and --noise take every reading: to leave out those that are measured low makes the fitted f "
+        "--floor {}: --weights sigma and --noise take every reading: to leave out those that are measured "
+        "low makes the fitted f "
         "too high; leave --floor out, or --weights sigma and --noise",
         shortest(*options.floor));
   if (options.fit.noise && !options.fit.noise->is_given() && options.fit.loss == FitLoss::cauchy)
     throw BadInput(
-        "--noise {}: an estimate would follow the outliers: --loss cauchy takes a noise that is given, as --noise 2%,1e-3",
+        "--noise {}: an estimate would follow the outliers: --loss cauchy takes a noise that is given, as "
+        "--noise 2%,1e-3",
         options.noise);
 }
 
@@ -139,7 +149,7 @@ ExitStatus run(const Options& given, const CommonOptions& common) {
   Options options = given;
   for (const auto& text : options.fixed) fix_parameter(options.fit.choices, text);
   for (const auto& text : options.bounds) bound_parameter(options.fit.choices, text);
-  for (const auto& text : options.model) choose_variant(options.fit.switches, text);
+  for (const auto& text : options.model) choose_variant(options.fit.variant, text);
   if (!options.noise.empty()) options.fit.noise = noise_choice(options.noise);
   options.fit.weights = options.weights == "sigma"     ? FitWeights::sigma
                         : options.weights == "uniform" ? FitWeights::uniform
@@ -156,18 +166,22 @@ ExitStatus run(const Options& given, const CommonOptions& common) {
   measurement_options.light = light_named(options.polarization);
   const Measurement whole = read_measurement(options.data, measurement_options);
   for (const auto& note : whole.notes) say(common, fmt::format("{}: {}", whole.source, note));
-  for (const auto& warning : whole.warnings) say(common, fmt::format("warning: {}: {}", whole.source, warning));
+  for (const auto& warning : whole.warnings)
+    say(common, fmt::format("warning: {}: {}", whole.source, warning));
   const Measurement measurement = chosen_channels(options, whole);
   const Device device = select_device(options.device);
-  const Engine engine(device, Precision::float64, Precision::float32);
+  const Engine engine(device, Precision::float64, Precision::float32, common.watch);
   const auto start = std::chrono::steady_clock::now();
   FitProblem problem(engine, measurement, options.fit);
   if (problem.incidences().size() == 1)
-    say(common, fmt::format("warning: {}: one incidence only: what depends on theta_i stays open", measurement.source));
-  const bool profile = options.intervals.empty() ? problem.bands().size() == 1 : options.intervals == "profile";
+    say(common, fmt::format("warning: {}: one incidence only: what depends on theta_i stays open",
+                            measurement.source));
+  const bool profile =
+      options.intervals.empty() ? problem.bands().size() == 1 : options.intervals == "profile";
   const Fit found = fit(problem);
   const FitSummary summary = summarize(engine, problem, found, profile);
-  const std::string name = options.name.empty() ? std::filesystem::path(options.data).stem().string() : options.name;
+  const std::string name =
+      options.name.empty() ? std::filesystem::path(options.data).stem().string() : options.name;
   const std::string material =
       material_text(problem, summary, {name, options.description, source_line(options), common.command_line});
   write(*file, options.output, material);
@@ -175,18 +189,19 @@ ExitStatus run(const Options& given, const CommonOptions& common) {
   const std::string text = summary_text(problem, summary);
   std::fwrite(text.data(), 1, text.size(), stdout);
   if (summary.low_readings)
-    say(common, fmt::format("warning: {}: {}", measurement.source, text_of(*summary.low_readings, options.fit)));
+    say(common,
+        fmt::format("warning: {}: {}", measurement.source, text_of(*summary.low_readings, options.fit)));
   const auto brightest = std::max_element(summary.incidences.begin(), summary.incidences.end(),
                                           [](const auto& a, const auto& b) { return a.dhr < b.dhr; });
   if (brightest->dhr > 1)
-    say(common,
-        fmt::format("warning: the fitted material's DHR reaches {:.4g} at theta_i = {} degrees: the model does not bound it",
-                    brightest->dhr, shortest(brightest->theta_i)));
+    say(common, fmt::format("warning: the fitted material's DHR reaches {:.4g} at theta_i = {} degrees: the "
+                            "model does not bound it",
+                            brightest->dhr, shortest(brightest->theta_i)));
   const double all = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  say(common,
-      fmt::format(
-          "search {:.2f} s ({:.0f} % of it in kernels, the rest in the solver), {} evaluations; with intervals {:.2f} s; on {}",
-          found.seconds, 100 * found.kernel_seconds / found.seconds, found.evaluations, all, device.name));
+  say(common, fmt::format("search {:.2f} s ({:.0f} % of it in kernels, the rest in the solver), {} "
+                          "evaluations; with intervals {:.2f} s; on {}",
+                          found.seconds, 100 * found.kernel_seconds / found.seconds, found.evaluations, all,
+                          device.name));
   return ExitStatus::done;
 }
 
@@ -196,36 +211,43 @@ std::function<ExitStatus()> fit_command(CLI::App& parser, const CommonOptions& c
   auto options = std::make_shared<Options>();
   parser
       .add_option("DATA", options->data,
-                  "Measurement: CSV with theta_i_deg, theta_s_deg, phi_deg or phi_s_deg, brdf_per_sr (or brdf_s_per_sr and "
-                  "brdf_p_per_sr) and optionally channel, wavelength_nm or wavelength_um, and sigma (or sigma_s and sigma_p); or "
+                  "Measurement: CSV with theta_i_deg, theta_s_deg, phi_deg or phi_s_deg, brdf_per_sr (or "
+                  "brdf_s_per_sr and "
+                  "brdf_p_per_sr) and optionally channel, wavelength_nm or wavelength_um, and sigma (or "
+                  "sigma_s and sigma_p); or "
                   "ALTA text (.alta, .dat), ASTM text (.astm), Zemax tabular BSDF (.bsdf), MERL (.binary)")
       ->required();
   parser.add_option("-o,--output", options->output, "Material file to write (TOML)")->required();
   parser.add_option("--channel", options->channel, "The channel to fit, where the measurement has several");
-  parser.add_option("--wavelengths", options->wavelengths, "all: fit every channel to one material with bands")
+  parser
+      .add_option("--wavelengths", options->wavelengths, "all: fit every channel to one material with bands")
       ->check(CLI::IsMember({"all"}));
   parser
       .add_option("--share", options->share,
                   "What the bands share: geometry (rho, w_a, w_b, gamma, delta, w, n), the default, or none")
       ->check(CLI::IsMember({"geometry", "none"}));
   parser
-      .add_option(
-          "--polarization", options->polarization,
-          "The light: unpolarized (default), s, p, or all: s and p fitted together, which tells n_eff from k_eff best. Of CSV "
-          "it takes the column brdf, brdf_s or brdf_p (or brdf_per_sr, brdf_s_per_sr, brdf_p_per_sr); unpolarised f is the "
-          "mean of s and p where only those are there. Of other formats, it says what light all values were measured in")
+      .add_option("--polarization", options->polarization,
+                  "The light: unpolarized (default), s, p, or all: s and p fitted together, which tells "
+                  "n_eff from k_eff best. Of CSV "
+                  "it takes the column brdf, brdf_s or brdf_p (or brdf_per_sr, brdf_s_per_sr, "
+                  "brdf_p_per_sr); unpolarised f is the "
+                  "mean of s and p where only those are there. Of other formats, it says what light all "
+                  "values were measured in")
       ->check(CLI::IsMember({"unpolarized", "s", "p", "all"}));
   parser.add_option("--fix", options->fixed, "Hold a parameter: k_eff=0. Repeatable; default: all are free")
       ->type_name("NAME=VALUE");
   parser
       .add_option("--bounds", options->bounds,
-                  "Bound a parameter: rho_surface=0.01:2. Repeatable; default: the ranges that `brdftab parameters` lists")
+                  "Bound a parameter: rho_surface=0.01:2. Repeatable; default: the ranges that `brdftab "
+                  "parameters` lists")
       ->type_name("NAME=LOW:HIGH");
   parser
       .add_option("--model", options->model,
                   "Variant of the model: reflectance_shadowing=surface. Repeatable; default: the paper's")
       ->type_name("SWITCH=CHOICE");
-  parser.add_option("--starts", options->fit.starts, "Starting points; default 48")->check(CLI::Range(1, 10000));
+  parser.add_option("--starts", options->fit.starts, "Starting points; default 48")
+      ->check(CLI::Range(1, 10000));
   parser.add_option("--seed", options->fit.seed, "Of the starting points; default 1");
   parser
       .add_option("--max-theta", options->fit.max_theta,
@@ -233,28 +255,35 @@ std::function<ExitStatus()> fit_command(CLI::App& parser, const CommonOptions& c
       ->check(CLI::Range(1., 90.));
   parser
       .add_option("--floor", options->floor,
-                  "Leave out samples at or below it, 1/sr; default 0.002. Only for residuals ln(model/data), which suit noise in "
+                  "Leave out samples at or below it, 1/sr; default 0.002. Only for residuals ln(model/data), "
+                  "which suit noise in "
                   "proportion to f: where noise reaches the readings left out, f and DHR come out too high")
       ->check(CLI::NonNegativeNumber);
   parser
-      .add_option("--weights", options->weights,
-                  "aoi: residuals ln(model/data), each angle of incidence alike (default); uniform: the same, all samples alike; "
-                  "sigma: residuals (model - data)/sigma over all samples, zero and negative ones too, with the column sigma; "
-                  "standard errors are those of sigma, times the root of reduced chi-square where that is above 1")
+      .add_option(
+          "--weights", options->weights,
+          "aoi: residuals ln(model/data), each angle of incidence alike (default); uniform: the same, all "
+          "samples alike; "
+          "sigma: residuals (model - data)/sigma over all samples, zero and negative ones too, with the "
+          "column sigma; "
+          "standard errors are those of sigma, times the root of reduced chi-square where that is above 1")
       ->check(CLI::IsMember({"aoi", "uniform", "sigma"}));
   parser
       .add_option(
           "--noise", options->noise,
-          "In place of a column sigma: sigma^2 = (RELATIVE f)^2 + FLOOR^2 with f of the model, as 2%,1e-3 (FLOOR in 1/sr), "
+          "In place of a column sigma: sigma^2 = (RELATIVE f)^2 + FLOOR^2 with f of the model, as 2%,1e-3 "
+          "(FLOOR in 1/sr), "
           "all samples kept; either part or both may be `estimated`, by maximum likelihood. Default: none")
       ->type_name("RELATIVE,FLOOR");
   parser.add_option("--loss", options->loss, "linear (default) or cauchy, which outliers hardly move")
       ->check(CLI::IsMember({"linear", "cauchy"}));
   parser
       .add_option("--intervals", options->intervals,
-                  "profile: by profile likelihood (default for one channel); linear: from standard errors (default for spectra)")
+                  "profile: by profile likelihood (default for one channel); linear: from standard errors "
+                  "(default for spectra)")
       ->check(CLI::IsMember({"profile", "linear"}));
-  parser.add_option("--report", options->report, "Folder for pictures (SVG): fit, residuals, V_m, correlations; default: none");
+  parser.add_option("--report", options->report,
+                    "Folder for pictures (SVG): fit, residuals, V_m, correlations; default: none");
   parser.add_option("--name", options->name, "Of the material; default: the file's");
   parser.add_option("--description", options->description, "Of the material, for its file");
   parser.add_option("--source", options->source, "Of the measurement, for the material file");

@@ -1,8 +1,9 @@
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "host/commands/command.hpp"
+#include <algorithm>
+
 #include "host/base/numbers.hpp"
+#include "host/commands/command.hpp"
 #include "host/table/table_reader.hpp"
 
 namespace brdftab {
@@ -18,9 +19,11 @@ std::string axis_text(const VariableInfo& axis) {
     smallest = std::min(smallest, nodes[k] - nodes[k - 1]);
     largest = std::max(largest, nodes[k] - nodes[k - 1]);
   }
-  const std::string step = largest - smallest <= 1e-9 * largest ? fmt::format("by {:.10g}", largest)
-                                                                : fmt::format("by {:.4g} to {:.4g}", smallest, largest);
-  return fmt::format("{} nodes: {} to {} {} {}", nodes.size(), shortest(nodes.front()), shortest(nodes.back()), axis.units, step);
+  const std::string step = largest - smallest <= 1e-9 * largest
+                               ? fmt::format("by {:.10g}", largest)
+                               : fmt::format("by {:.4g} to {:.4g}", smallest, largest);
+  return fmt::format("{} nodes: {} to {} {} {}", nodes.size(), shortest(nodes.front()),
+                     shortest(nodes.back()), axis.units, step);
 }
 
 std::string range_text(const VariableInfo& variable) {
@@ -37,9 +40,11 @@ void print_text(const std::string& name, const TableInfo& info) {
   fmt::print("\nvariables\n");
   for (const auto& variable : info.variables)
     if (!variable.is_axis) {
-      fmt::print("  {:<22} {}[{}] {}  {}{}\n", variable.name, variable.type, fmt::join(variable.dimensions, ", "), variable.units,
-                 variable.long_name, range_text(variable));
-      if (variable.values.empty() && variable.storage) fmt::print("  {:<22} {}\n", "", variable.storage->text());
+      fmt::print("  {:<22} {}[{}] {}  {}{}\n", variable.name, variable.type,
+                 fmt::join(variable.dimensions, ", "), variable.units, variable.long_name,
+                 range_text(variable));
+      if (variable.values.empty() && variable.storage)
+        fmt::print("  {:<22} {}\n", "", variable.storage->text());
     }
   fmt::print("\nattributes\n");
   for (const auto& attribute : info.attributes) {
@@ -49,11 +54,13 @@ void print_text(const std::string& name, const TableInfo& info) {
     } else if (const auto* number = std::get_if<double>(&attribute.value)) {
       fmt::print("  {:<39} {}\n", attribute.name, shortest(*number));
     } else {
-      fmt::print("  {:<39} {}\n", attribute.name, fmt::join(std::get<std::vector<double>>(attribute.value), ", "));
+      fmt::print("  {:<39} {}\n", attribute.name,
+                 fmt::join(std::get<std::vector<double>>(attribute.value), ", "));
     }
   }
   for (const auto& attribute : info.attributes)
-    if (attribute.name == "material") fmt::print("\nmaterial\n\n{}\n", std::get<std::string>(attribute.value));
+    if (attribute.name == "material")
+      fmt::print("\nmaterial\n\n{}\n", std::get<std::string>(attribute.value));
 }
 
 nlohmann::ordered_json storage_json(const Hdf5Storage& storage) {
@@ -71,8 +78,9 @@ nlohmann::ordered_json as_json(const TableInfo& info) {
   for (const auto& attribute : info.attributes)
     std::visit([&](const auto& value) { root["attributes"][attribute.name] = value; }, attribute.value);
   for (const auto& variable : info.variables) {
-    nlohmann::ordered_json entry{{"type", variable.type},   {"dimensions", variable.dimensions}, {"shape", variable.shape},
-                                 {"units", variable.units}, {"long_name", variable.long_name},   {"axis", variable.is_axis}};
+    nlohmann::ordered_json entry{{"type", variable.type},           {"dimensions", variable.dimensions},
+                                 {"shape", variable.shape},         {"units", variable.units},
+                                 {"long_name", variable.long_name}, {"axis", variable.is_axis}};
     if (!variable.values.empty()) entry["values"] = variable.values;
     if (!variable.is_axis && variable.storage) entry["storage"] = storage_json(*variable.storage);
     root["variables"][variable.name] = entry;
@@ -88,7 +96,8 @@ std::function<ExitStatus()> info_command(CLI::App& parser, const CommonOptions&)
     bool json = false;
   };
   auto options = std::make_shared<Options>();
-  parser.add_option("TABLE", options->table, "Table file, or the folder of an OpenEXR table in files")->required();
+  parser.add_option("TABLE", options->table, "Table file, or the folder of an OpenEXR table in files")
+      ->required();
   parser.add_flag("--json", options->json, "As JSON, with the values of axes, N and DHR");
   return [options] {
     const auto table = open_table(options->table);

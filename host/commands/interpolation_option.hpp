@@ -16,8 +16,8 @@ class InterpolationOption {
   bool asked() const { return error_text_.has_value(); }
   bool dry_run() const { return dry_run_; }
 
-  /// Chooses a grid within the ranges of `grid`, and sets it; in a dry run, prints size against error instead. Returns what
-  /// the table says of the choice.
+  /// Chooses a grid within the ranges of `grid`, and sets it; in a dry run, prints size against error
+  /// instead. Returns what the table says of the choice.
   std::vector<AttributeInfo> choose(const Engine& engine, const Material& material,
                                     const std::vector<Polarization>& polarizations, Grid& grid) const;
 

@@ -22,27 +22,33 @@ void MeasurementOption::add(CLI::App& parser) {
           ->check(CLI::IsMember({"csv", "alta", "astm", "zemax", "merl"})),
       parser
           .add_option("--angles", angles_,
-                      "Unit of the measurement's angles; default: degrees in csv and zemax, radians in alta and astm. "
+                      "Unit of the measurement's angles; default: degrees in csv and zemax, radians in alta "
+                      "and astm. "
                       "azimuth-radians: theta in degrees, phi in radians")
           ->check(CLI::IsMember(names_of(angle_units))),
       parser
-          .add_option(
-              "--values", values_,
-              fmt::format("What the measurement's values are; default: brdf, with a warning where they look unlike it{}", kinds))
+          .add_option("--values", values_,
+                      fmt::format("What the measurement's values are; default: brdf, with a warning where "
+                                  "they look unlike it{}",
+                                  kinds))
           ->check(CLI::IsMember(names_of(value_kind_table))),
-      parser.add_option("--scale", options_.scale, "Further factor from the measurement's values to f in 1/sr; default 1")
+      parser
+          .add_option("--scale", options_.scale,
+                      "Further factor from the measurement's values to f in 1/sr; default 1")
           ->check(CLI::PositiveNumber),
       parser
           .add_option("--wavelength-unit", wavelength_unit_,
-                      "Of the measurement's wavelengths, where neither they nor their column (wavelength_um) say it; default nm, "
+                      "Of the measurement's wavelengths, where neither they nor their column (wavelength_um) "
+                      "say it; default nm, "
                       "with a warning where that is no light's")
           ->check(CLI::IsMember(names_of(wavelength_units))),
       parser
-          .add_option(
-              "--incidence-width", options_.incidence_width,
-              "Samples whose theta_i lie closer together are one angle of incidence, degrees; default 0.25; 0: equal numbers")
+          .add_option("--incidence-width", options_.incidence_width,
+                      "Samples whose theta_i lie closer together are one angle of incidence, degrees; "
+                      "default 0.25; 0: equal numbers")
           ->check(CLI::Range(0., 90.)),
-      parser.add_flag("--flip-azimuth", options_.flip_azimuth, "The measurement counts azimuth from the backward side"),
+      parser.add_flag("--flip-azimuth", options_.flip_azimuth,
+                      "The measurement counts azimuth from the backward side"),
   };
 }
 

@@ -1,8 +1,8 @@
 #include "host/commands/outputs.hpp"
 
 #include "host/base/error.hpp"
-#include "host/formats/format.hpp"
 #include "host/base/numbers.hpp"
+#include "host/formats/format.hpp"
 #include "host/table/table_reader.hpp"
 
 namespace brdftab {
@@ -15,7 +15,8 @@ void require_folder(const std::string& output) {
   if (fs::is_directory(output, error)) return;
   if (fs::exists(fs::path(output.substr(0, output.find_last_not_of('/') + 1)), error))
     throw BadInput("-o {}: is a file; several materials need -o FOLDER/", excerpt(output));
-  throw FileError("{}: the folder does not exist{}", output, output.ends_with('/') ? "" : "; several materials need -o FOLDER/");
+  throw FileError("{}: the folder does not exist{}", output,
+                  output.ends_with('/') ? "" : "; several materials need -o FOLDER/");
 }
 
 fs::path file_in_folder(const fs::path& folder, const std::string& material, std::string_view suffix) {
@@ -48,7 +49,8 @@ std::vector<MaterialOutput> plan_outputs(const std::vector<std::string>& materia
     Material material = read_material(input);
     const fs::path target = folder ? file_in_folder(output, input, suffix) : fs::path(output);
     for (const MaterialOutput& other : plan)
-      if (other.target == target) throw BadInput("{}: two materials would both be written to {}", input, target.string());
+      if (other.target == target)
+        throw BadInput("{}: two materials would both be written to {}", input, target.string());
     std::error_code error;
     if (!force && fs::exists(fs::symlink_status(target, error)))
       throw FileError("{}: exists; --force overwrites it", target.string());

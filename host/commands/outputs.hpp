@@ -22,9 +22,9 @@ bool names_folder(const std::vector<std::string>& materials, const std::string& 
 /// From a material file, or from an HDF5 or OpenEXR table that carries it.
 Material read_material(const std::string& input);
 
-/// Reads the materials, each from its file or from a table that carries it. In a folder a file is called as the material's,
-/// with `suffix`. Throws BadInput where two would have one name, FileError where one exists and `force` is not set, or where
-/// the folder is missing.
+/// Reads the materials, each from its file or from a table that carries it. In a folder a file is called as
+/// the material's, with `suffix`. Throws BadInput where two would have one name, FileError where one exists
+/// and `force` is not set, or where the folder is missing.
 std::vector<MaterialOutput> plan_outputs(const std::vector<std::string>& materials, const std::string& output,
                                          std::string_view suffix, bool force);
 

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "host/base/numbers.hpp"
+#include "host/base/partial_file.hpp"
 #include "host/commands/command.hpp"
 #include "host/commands/measurement_option.hpp"
 #include "host/model/measurement/measured_light.hpp"
-#include "host/base/numbers.hpp"
-#include "host/base/partial_file.hpp"
 #include "host/pictures/drawing/picture_file.hpp"
 
 namespace brdftab {
@@ -29,14 +29,17 @@ struct Options {
 };
 
 const PlotRow& row_of(const std::string& kind) {
-  return *std::find_if(std::begin(plot_table), std::end(plot_table), [&](const auto& row) { return row.name == kind; });
+  return *std::find_if(std::begin(plot_table), std::end(plot_table),
+                       [&](const auto& row) { return row.name == kind; });
 }
 
-Measurement read_data(const std::string& file, const std::string& channel, const MeasurementOptions& options) {
+Measurement read_data(const std::string& file, const std::string& channel,
+                      const MeasurementOptions& options) {
   const Measurement all = read_measurement(file, options);
   if (channel.empty() && all.channels.size() == 1) return all;
   const auto index = all.find_channel(channel);
-  if (!index) throw BadInput("{}: has the channels {}: choose one by --channel", file, fmt::join(all.channels, ", "));
+  if (!index)
+    throw BadInput("{}: has the channels {}: choose one by --channel", file, fmt::join(all.channels, ", "));
   Measurement one = all.channel(*index);
   // What was said of the file holds for its channels.
   one.notes = all.notes;
@@ -56,7 +59,8 @@ ExitStatus run(const Options& options, const CommonOptions& common) {
   drawn.wavelength_nm = options.wavelength_nm;
   std::vector<std::string> of_data = options.reading.given();
   if (!options.channel.empty()) of_data.emplace_back("--channel");
-  if (options.data.empty() && !of_data.empty()) throw BadInput("{}: is of --data, which is not given", of_data.front());
+  if (options.data.empty() && !of_data.empty())
+    throw BadInput("{}: is of --data, which is not given", of_data.front());
   std::vector<Subject> subjects;
   for (const auto& subject : options.subjects) subjects.push_back(Subject::open(subject));
   for (const Subject& subject : subjects) {
@@ -64,10 +68,11 @@ ExitStatus run(const Options& options, const CommonOptions& common) {
     if (options.wavelength_nm && !subject.material().has_wavelengths())
       throw BadInput("--wavelength {}: {} has no bands", shortest(*options.wavelength_nm), subject.file());
     if (!options.wavelength_nm && bands.size() > 1)
-      say(common, fmt::format("{}: drawn at {} nm, the first of {} bands; --wavelength chooses another", subject.file(),
-                              shortest(*bands.front().wavelength_nm), bands.size()));
+      say(common, fmt::format("{}: drawn at {} nm, the first of {} bands; --wavelength chooses another",
+                              subject.file(), shortest(*bands.front().wavelength_nm), bands.size()));
     if (subject.is_table())
-      for (const auto& fault : subject.table().faults) say(common, fmt::format("{}: warning: {}", subject.file(), fault));
+      for (const auto& fault : subject.table().faults)
+        say(common, fmt::format("{}: warning: {}", subject.file(), fault));
   }
   if (!options.data.empty()) {
     MeasurementOptions reading = options.reading.options();
@@ -78,14 +83,15 @@ ExitStatus run(const Options& options, const CommonOptions& common) {
   const auto engine_source = [&]() -> const Engine& {
     if (!engine) {
       const Device device = select_device(options.device);
-      engine.emplace(device, Engine::widest(device), Precision::float32);
+      engine.emplace(device, Engine::widest(device), Precision::float32, common.watch);
     }
     return *engine;
   };
   const auto picture = plot(row, subjects, drawn, engine_source);
   if (drawn.data) {
     for (const auto& note : drawn.data->notes) say(common, fmt::format("{}: {}", options.data, note));
-    for (const auto& warning : drawn.data->warnings) say(common, fmt::format("{}: warning: {}", options.data, warning));
+    for (const auto& warning : drawn.data->warnings)
+      say(common, fmt::format("{}: warning: {}", options.data, warning));
   }
   file.write(picture);
   return ExitStatus::done;
@@ -111,10 +117,13 @@ std::function<ExitStatus()> plot_command(CLI::App& parser, const CommonOptions& 
                   "Of the light, and of --data as in fit; default: unpolarized, or what a table has")
       ->check(CLI::IsMember({"unpolarized", "s", "p"}));
   parser.add_option("--wavelength", options->wavelength_nm, "Band of a material with bands, nm");
-  parser.add_option("--data", options->data, "Measured BRDF, drawn as points in the plane of incidence; read as by fit");
+  parser.add_option("--data", options->data,
+                    "Measured BRDF, drawn as points in the plane of incidence; read as by fit");
   parser.add_option("--channel", options->channel, "Channel of --data");
   options->reading.add(parser);
-  parser.add_option("--width", options->width, "Width of a PNG in pixels; default: 2.5 for each unit of the SVG")
+  parser
+      .add_option("--width", options->width,
+                  "Width of a PNG in pixels; default: 2.5 for each unit of the SVG")
       ->check(CLI::Range(100, 20000));
   parser.add_flag("--force", options->force, "Overwrite an existing output");
   add_device_option(parser, options->device);

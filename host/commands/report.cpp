@@ -2,12 +2,12 @@
 
 #include <filesystem>
 
-#include "host/commands/command.hpp"
-#include "host/table/generate.hpp"
-#include "host/formats/hdf5/hdf5_table.hpp"
 #include "host/base/partial_file.hpp"
-#include "host/pictures/report/embedded_table.hpp"
+#include "host/commands/command.hpp"
+#include "host/formats/hdf5/hdf5_writer.hpp"
 #include "host/pictures/drawing/picture_file.hpp"
+#include "host/pictures/report/embedded_table.hpp"
+#include "host/table/generate.hpp"
 
 namespace brdftab {
 namespace {
@@ -24,7 +24,8 @@ class TemporaryFolder {
  public:
   TemporaryFolder() {
     std::string name = (std::filesystem::temp_directory_path() / "brdftab-XXXXXX").string();
-    if (!mkdtemp(name.data())) throw FileError("{}: cannot be made: {}", name, std::generic_category().message(errno));
+    if (!mkdtemp(name.data()))
+      throw FileError("{}: cannot be made: {}", name, std::generic_category().message(errno));
     path_ = name;
   }
   TemporaryFolder(const TemporaryFolder&) = delete;
@@ -39,9 +40,10 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-// The table of a material's own grid at its first phi_i, on which f does not depend, and of no more nodes than a page holds.
-Subject table_of(const Subject& subject, const Engine& engine, const TemporaryFolder& folder, const CommonOptions& common,
-                 std::string& origin) {
+// The table of a material's own grid at its first phi_i, on which f does not depend, and of no more nodes
+// than a page holds.
+Subject table_of(const Subject& subject, const Engine& engine, const TemporaryFolder& folder,
+                 const CommonOptions& common, std::string& origin) {
   const Material& material = subject.material();
   Grid grid = material.grid();
   grid.phi_i = Axis(AxisKind::phi_i, {grid.phi_i[0]});
@@ -49,17 +51,17 @@ Subject table_of(const Subject& subject, const Engine& engine, const TemporaryFo
   origin = "It was made for this page, at the material's own grid; brdftab generate makes it as a file.";
   if (nodes.size() < grid.directions()) {
     origin = fmt::format(
-        "It was made for this page, at {} of the {} directions of the material's own grid, spread evenly; brdftab generate makes "
+        "It was made for this page, at {} of the {} directions of the material's own grid, spread evenly; "
+        "brdftab generate makes "
         "the whole as a file.",
         nodes.size(), grid.directions());
-    say(common,
-        fmt::format("{}: its grid has {} directions; the page has {} of them", subject.file(), grid.directions(), nodes.size()));
+    say(common, fmt::format("{}: its grid has {} directions; the page has {} of them", subject.file(),
+                            grid.directions(), nodes.size()));
   }
   const auto file = folder.path() / "table.h5";
   GenerateOptions options;
-  options.quiet = true;
   options.history = common.command_line;
-  generate(engine, material, subset_grid(grid, nodes), file, create_hdf5_table, options);
+  generate(engine, material, subset_grid(grid, nodes), file, create_hdf5_writer, options);
   return Subject::of_table(subject.file(), open_table(file));
 }
 
@@ -69,12 +71,14 @@ ExitStatus run(const Options& options, const CommonOptions& common) {
   PartialFile file(target, options.force);
   const Subject subject = Subject::open(options.subject);
   if (subject.is_table())
-    for (const auto& fault : subject.table().faults) say(common, fmt::format("{}: warning: {}", subject.file(), fault));
+    for (const auto& fault : subject.table().faults)
+      say(common, fmt::format("{}: warning: {}", subject.file(), fault));
   const Device device = select_device(options.device);
-  const Engine engine(device, Engine::widest(device), Precision::float32);
+  const Engine engine(device, Engine::widest(device), Precision::float32, common.watch);
   std::optional<TemporaryFolder> folder;
   std::string origin = fmt::format("The file is {}.", options.subject);
-  const Subject table = subject.is_table() ? subject : table_of(subject, engine, folder.emplace(), common, origin);
+  const Subject table =
+      subject.is_table() ? subject : table_of(subject, engine, folder.emplace(), common, origin);
   write_whole_file(file, target,
                    report(
                        table, [&]() -> const Engine& { return engine; }, origin));
@@ -85,7 +89,9 @@ ExitStatus run(const Options& options, const CommonOptions& common) {
 
 std::function<ExitStatus()> report_command(CLI::App& parser, const CommonOptions& common) {
   auto options = std::make_shared<Options>();
-  parser.add_option("MATERIAL_OR_TABLE", options->subject, "Table, or material file, whose grid is then tabulated for the page")
+  parser
+      .add_option("MATERIAL_OR_TABLE", options->subject,
+                  "Table, or material file, whose grid is then tabulated for the page")
       ->required();
   parser.add_option("-o,--output", options->output, "Page to write: .html")->required();
   parser.add_flag("--force", options->force, "Overwrite an existing output");

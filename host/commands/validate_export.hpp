@@ -22,12 +22,12 @@ class ExportValidation {
     std::optional<std::string> device;
     bool json = false;
   };
-  /// Reports the error of the consumer's own interpolation. Throws Error (exit status 1) where it is beyond what the format
-  /// reaches by more than the tolerance.
+  /// Reports the error of the consumer's own interpolation. Throws Error (exit status 1) where it is beyond
+  /// what the format reaches by more than the tolerance.
   ExitStatus run(const ExportFormat& format, const Request& request) const;
 
  private:
-  ExportSource source(const Engine& engine, const ExportedTable& table, const Request& request) const;
+  ExportModel source(const Engine& engine, const ExportReader& table, const Request& request) const;
 
   ExportFormats formats_;
   std::optional<std::string> material_;

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "host/model/direction_list.hpp"
 #include "host/compute/opencl/engine.hpp"
+#include "host/model/direction_list.hpp"
 #include "host/model/material.hpp"
 
 namespace brdftab {
@@ -18,10 +18,10 @@ struct PolarizedBrdf {
 };
 
 /// In the order of the pairs; infinite where a lobe exceeds the precision.
-std::vector<PolarizedBrdf> evaluate(const Engine& engine, const Band& band, const ModelSwitches& switches,
+std::vector<PolarizedBrdf> evaluate(const Engine& engine, const Band& band, const Variant& variant,
                                     std::span<const DirectionPair> pairs);
 
-std::vector<PolarizedBrdf> evaluate_reference(const Band& band, const ModelSwitches& switches,
-                                              std::span<const DirectionPair> pairs);
+std::vector<PolarizedBrdf> evaluate_reference(const Band& band, const Variant& variant,
+                                              std::span<const DirectionPair> pairs, const Watch& watch = {});
 
 }  // namespace brdftab

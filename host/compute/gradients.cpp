@@ -1,7 +1,8 @@
 #include "host/compute/gradients.hpp"
 
-#include <algorithm>
 #include <boost/math/special_functions/digamma.hpp>
+
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -12,7 +13,8 @@
 namespace brdftab {
 namespace {
 
-// Work-items in a work-group; lists are filled up to whole ones, so that PoCL compiles one local size for all.
+// Work-items in a work-group; lists are filled up to whole ones, so that PoCL compiles one local size for
+// all.
 constexpr std::size_t group = 8;
 // Bounds the memory that one launch takes.
 constexpr std::size_t most_materials_at_once = 256;
@@ -60,21 +62,26 @@ std::vector<DirectionPair> with_exchanges(std::vector<DirectionPair> pairs) {
   const std::size_t count = pairs.size();
   for (std::size_t k = 0; k < count; ++k) {
     const DirectionPair pair = pairs[k];
-    pairs.push_back({.theta_i = pair.model_theta_s(), .theta_s = pair.theta_i, .phi = pair.model_phi(), .line = pair.line});
+    pairs.push_back({.theta_i = pair.model_theta_s(),
+                     .theta_s = pair.theta_i,
+                     .phi = pair.model_phi(),
+                     .line = pair.line});
   }
   return pairs;
 }
 
 LogBrdfGradients::LogBrdfGradients(const Engine& engine, std::span<const DirectionPair> pairs, double share_s,
-                                   const ModelSwitches& switches)
-    : LogBrdfGradients(engine, pairs, std::vector<double>(pairs.size(), share_s), switches) {}
+                                   const Variant& variant)
+    : LogBrdfGradients(engine, pairs, std::vector<double>(pairs.size(), share_s), variant) {}
 
-LogBrdfGradients::LogBrdfGradients(const Engine& engine, std::span<const DirectionPair> pairs, std::span<const double> share_s,
-                                   const ModelSwitches& switches)
-    : engine_(engine), pairs_(pairs.size()), switches_(switches) {
-  if (switches.normalization == Normalization::closed_form || switches.autocovariance != Autocovariance::lorentzian)
+LogBrdfGradients::LogBrdfGradients(const Engine& engine, std::span<const DirectionPair> pairs,
+                                   std::span<const double> share_s, const Variant& variant)
+    : engine_(engine), pairs_(pairs.size()), variant_(variant) {
+  if (variant.normalization == Normalization::closed_form ||
+      variant.autocovariance != Autocovariance::lorentzian)
     throw BadInput(
-        "a fit takes normalization = hemispherical or reciprocal and autocovariance = lorentzian: the others have no "
+        "a fit takes normalization = hemispherical or reciprocal and autocovariance = lorentzian: the others "
+        "have no "
         "derivatives");
   const std::size_t together = group * engine.directions_width();
   padded_ = (pairs.size() + together - 1) / together * together;
@@ -94,7 +101,7 @@ LogBrdfGradients::LogBrdfGradients(const Engine& engine, std::span<const Directi
     phi[k] = pair.model_phi();
     incidence[k] = index_of(theta_i[k]);
     // N at theta_s matters for reciprocal normalisation only.
-    scatter[k] = switches.normalization == Normalization::reciprocal ? index_of(theta_s[k]) : incidence[k];
+    scatter[k] = variant.normalization == Normalization::reciprocal ? index_of(theta_s[k]) : incidence[k];
   }
   angles_ = angles.size();
   const NormalizationNodes nodes(angles);
@@ -141,7 +148,7 @@ LogBrdfValues LogBrdfGradients::evaluate(std::span<const Parameters> materials) 
     };
     cl::Buffer n = n_of(nodes_);
     const cl::Buffer out = engine_.buffer(part.size() * rows * padded_ * bytes_of(engine_.working()));
-    const auto variant = model_variant<kernel_f64::ModelVariant>(switches_);
+    const auto variant = model_variant<kernel_f64::ModelVariant>(variant_);
 
     cl::Kernel normalizations = engine_.gradient_kernel("normalization_gradients");
     set_arguments(normalizations, nodes_theta_, static_cast<cl_int>(nodes_), on_device, n, variant);
@@ -155,10 +162,10 @@ LogBrdfValues LogBrdfGradients::evaluate(std::span<const Parameters> materials) 
     }
 
     cl::Kernel gradients = engine_.gradient_kernel("log_brdf_gradients");
-    set_arguments(gradients, theta_i_, theta_s_, phi_, incidence_, scatter_, n, static_cast<cl_int>(angles_), share_s_, on_device,
-                  out, variant);
-    engine_.queue().enqueueNDRangeKernel(gradients, cl::NullRange, {padded_ / engine_.directions_width(), part.size()},
-                                         {group, 1});
+    set_arguments(gradients, theta_i_, theta_s_, phi_, incidence_, scatter_, n, static_cast<cl_int>(angles_),
+                  share_s_, on_device, out, variant);
+    engine_.queue().enqueueNDRangeKernel(gradients, cl::NullRange,
+                                         {padded_ / engine_.directions_width(), part.size()}, {group, 1});
     const auto numbers = engine_.download(out, part.size() * rows * padded_);
     values.insert(values.end(), numbers.begin(), numbers.end());
   }

@@ -1,12 +1,12 @@
 #include "host/compute/integrals.hpp"
 
-#include <algorithm>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
+
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
 
-#include "host/base/interrupt.hpp"
 #include "host/reference/model.hpp"
 
 namespace brdftab {
@@ -16,16 +16,18 @@ double of(double s, double p, Polarization polarization) {
   return polarization == Polarization::s ? s : polarization == Polarization::p ? p : 0.5 * (s + p);
 }
 
-Dhr device_dhr(const Engine& engine, const Band& band, const ModelSwitches& switches, std::span<const double> theta,
+Dhr device_dhr(const Engine& engine, const Band& band, const Variant& variant, std::span<const double> theta,
                const Normalizations& n) {
   const std::size_t bytes = 3 * theta.size() * bytes_of(engine.working());
   const std::array buffers{engine.buffer(bytes), engine.buffer(bytes), engine.buffer(bytes)};
   const cl::Buffer angles = engine.upload_polar_angles(theta);
   cl::Kernel kernel = engine.kernel("dhrs");
-  set_arguments(kernel, angles, static_cast<cl_int>(theta.size()), n.on_device, buffers[0], buffers[1], buffers[2]);
-  KernelMaterial(band.parameters, switches, engine.working()).set(kernel, 6);
+  set_arguments(kernel, angles, static_cast<cl_int>(theta.size()), n.on_device, buffers[0], buffers[1],
+                buffers[2]);
+  KernelMaterial(band.parameters, variant, engine.working()).set(kernel, 6);
   run_by_angle(engine, kernel, theta.size());
-  Dhr dhr{download_by_lobe(engine, buffers[0], theta.size()), download_by_lobe(engine, buffers[1], theta.size()),
+  Dhr dhr{download_by_lobe(engine, buffers[0], theta.size()),
+          download_by_lobe(engine, buffers[1], theta.size()),
           download_by_lobe(engine, buffers[2], theta.size())};
   for (std::size_t lobe = 0; lobe < 3; ++lobe)
     for (std::size_t k = 0; k < theta.size(); ++k)
@@ -34,8 +36,8 @@ Dhr device_dhr(const Engine& engine, const Band& band, const ModelSwitches& swit
   return dhr;
 }
 
-// A piece of a segment of theta_i, whose ends are where DHR may bend: theta = begin + (end - begin) z^2 (3 - 2z)
-// makes square roots there smooth.
+// A piece of a segment of theta_i, whose ends are where DHR may bend: theta = begin + (end - begin) z^2 (3 -
+// 2z) makes square roots there smooth.
 struct Panel {
   double segment_begin, segment_end;  // degrees
   double begin, end;                  // of z in [0, 1]
@@ -83,20 +85,22 @@ std::vector<RuleNode> rule_nodes() {
 }
 
 // All nodes of several panels go to the device at once.
-void integrate_panels(const Engine& engine, const Band& band, const ModelSwitches& switches, std::span<Panel> panels) {
+void integrate_panels(const Engine& engine, const Band& band, const Variant& variant,
+                      std::span<Panel> panels) {
   static const std::vector<RuleNode> nodes = rule_nodes();
   std::vector<double> theta;
   for (const Panel& panel : panels)
-    for (const RuleNode& node : nodes) theta.push_back(panel.theta(panel.begin + (panel.end - panel.begin) * 0.5 * (1 + node.x)));
-  const Integrals at = integrals(engine, band, switches, theta);
+    for (const RuleNode& node : nodes)
+      theta.push_back(panel.theta(panel.begin + (panel.end - panel.begin) * 0.5 * (1 + node.x)));
+  const Integrals at = integrals(engine, band, variant, theta);
   std::size_t k = 0;
   for (Panel& panel : panels) {
     double gauss = 0;
     for (const RuleNode& node : nodes) {
       const double z = panel.begin + (panel.end - panel.begin) * 0.5 * (1 + node.x);
       // 2 cos sin = sin 2 theta; d theta in radians.
-      const double weight = std::sin(theta[k] * std::numbers::pi / 90) * panel.theta_per_z(z) * std::numbers::pi / 180 * 0.5 *
-                            (panel.end - panel.begin);
+      const double weight = std::sin(theta[k] * std::numbers::pi / 90) * panel.theta_per_z(z) *
+                            std::numbers::pi / 180 * 0.5 * (panel.end - panel.begin);
       const double s = at.dhr.total(k, Polarization::s);
       const double p = at.dhr.total(k, Polarization::p);
       panel.s += node.kronrod * weight * s;
@@ -108,7 +112,8 @@ void integrate_panels(const Engine& engine, const Band& band, const ModelSwitche
     const double value = panel.s + panel.p;
     const double difference = std::abs(value - gauss);
     if (value > 0)
-      panel.error = std::min(difference, std::max(value * std::pow(200 * difference / value, 1.5), 0.01 * difference));
+      panel.error =
+          std::min(difference, std::max(value * std::pow(200 * difference / value, 1.5), 0.01 * difference));
   }
 }
 
@@ -135,17 +140,19 @@ double Dhr::largest_error() const {
 
 double Bhr::of(Polarization polarization) const { return brdftab::of(s, p, polarization); }
 
-Integrals integrals(const Engine& engine, const Band& band, const ModelSwitches& switches, std::span<const double> theta) {
-  Normalizations n = normalizations(engine, band, switches, theta);
-  Dhr dhr = device_dhr(engine, band, switches, theta, n);
+Integrals integrals(const Engine& engine, const Band& band, const Variant& variant,
+                    std::span<const double> theta) {
+  Normalizations n = normalizations(engine, band, variant, theta);
+  Dhr dhr = device_dhr(engine, band, variant, theta, n);
   return {std::move(n), std::move(dhr)};
 }
 
-Integrals reference_integrals(const Band& band, const ModelSwitches& switches, std::span<const double> theta) {
-  const reference::Model model(band.parameters, switches);
+Integrals reference_integrals(const Band& band, const Variant& variant, std::span<const double> theta,
+                              const Watch& watch) {
+  const reference::Model model(band.parameters, variant);
   Integrals result;
   for (const double angle : theta) {
-    stop_if_interrupted();
+    watch.stop_if_asked();
     const auto dhr = model.dhr(angle);
     const std::array s{dhr.s.surface, dhr.s.bulk, dhr.s.retro};
     const std::array p{dhr.p.surface, dhr.p.bulk, dhr.p.retro};
@@ -161,12 +168,12 @@ Integrals reference_integrals(const Band& band, const ModelSwitches& switches, s
   return result;
 }
 
-Bhr bhr(const Engine& engine, const Band& band, const ModelSwitches& switches) {
+Bhr bhr(const Engine& engine, const Band& band, const Variant& variant) {
   std::vector<Panel> open = first_panels(band.parameters);
   Bhr result{0, 0, 0};
   const double tolerance = engine.working() == Precision::float64 ? bhr_tolerance : 1e-5;
   for (int round = 0; !open.empty(); ++round) {
-    integrate_panels(engine, band, switches, open);
+    integrate_panels(engine, band, variant, open);
     double total = result.s + result.p;
     for (const Panel& panel : open) total += panel.s + panel.p;
     std::vector<Panel> next;
@@ -187,9 +194,9 @@ Bhr bhr(const Engine& engine, const Band& band, const ModelSwitches& switches) {
   return result;
 }
 
-Bhr reference_bhr(const Band& band, const ModelSwitches& switches) {
+Bhr reference_bhr(const Band& band, const Variant& variant) {
   const auto total = [](const reference::LobeReflectance& r) { return r.total(); };
-  const auto b = reference::Model(band.parameters, switches).bhr();
+  const auto b = reference::Model(band.parameters, variant).bhr();
   return {total(b.s).value, total(b.p).value, std::max(total(b.s).error, total(b.p).error)};
 }
 

@@ -1,5 +1,5 @@
-// Hemispherical integrals of a material, on the device or by the scalar reference: N and DHR at a list of angles
-// of incidence, and BHR.
+// Hemispherical integrals of a material, on the device or by the scalar reference: N and DHR at a list of
+// angles of incidence, and BHR.
 #pragma once
 
 #include <array>
@@ -28,8 +28,10 @@ struct Integrals {
 };
 
 /// Polar angles in degrees. Throws BadInput where an integral is not finite.
-Integrals integrals(const Engine& engine, const Band& band, const ModelSwitches& switches, std::span<const double> theta);
-Integrals reference_integrals(const Band& band, const ModelSwitches& switches, std::span<const double> theta);
+Integrals integrals(const Engine& engine, const Band& band, const Variant& variant,
+                    std::span<const double> theta);
+Integrals reference_integrals(const Band& band, const Variant& variant, std::span<const double> theta,
+                              const Watch& watch = {});
 
 /// Bihemispherical reflectance (white-sky albedo), 2 x integral of DHR cos theta_i sin theta_i d theta_i.
 struct Bhr {
@@ -40,7 +42,7 @@ struct Bhr {
   double of(Polarization polarization) const;
 };
 
-Bhr bhr(const Engine& engine, const Band& band, const ModelSwitches& switches);
-Bhr reference_bhr(const Band& band, const ModelSwitches& switches);
+Bhr bhr(const Engine& engine, const Band& band, const Variant& variant);
+Bhr reference_bhr(const Band& band, const Variant& variant);
 
 }  // namespace brdftab

@@ -14,13 +14,13 @@ constexpr double step = 0.0237;
 
 }  // namespace
 
-NormalizationCurve::NormalizationCurve(const Engine& engine, const Band& band, const ModelSwitches& switches,
+NormalizationCurve::NormalizationCurve(const Engine& engine, const Band& band, const Variant& variant,
                                        double largest_theta) {
   const auto nodes = static_cast<std::size_t>(stretched(largest_theta) / step) + Stencil::width / 2 + 1;
   std::vector<double> theta{0};
   while (theta.size() < std::max<std::size_t>(nodes, Stencil::width))
     theta.push_back(unstretched(static_cast<double>(theta.size()) * step));
-  const auto n = normalizations(engine, band, switches, theta);
+  const auto n = normalizations(engine, band, variant, theta);
   for (std::size_t lobe = 0; lobe < 3; ++lobe)
     for (const double value : n.value[lobe]) log_n_[lobe].push_back(std::log(value));
 }
@@ -49,7 +49,8 @@ NormalizationCurve::Stencil NormalizationCurve::stencil(double theta) {
 double NormalizationCurve::operator()(std::size_t lobe, const Stencil& stencil) const {
   double log_n = 0;
   for (std::ptrdiff_t j = 0; j < Stencil::width; ++j)
-    log_n += stencil.share[static_cast<std::size_t>(j)] * log_n_[lobe][static_cast<std::size_t>(std::abs(stencil.first + j))];
+    log_n += stencil.share[static_cast<std::size_t>(j)] *
+             log_n_[lobe][static_cast<std::size_t>(std::abs(stencil.first + j))];
   return std::exp(log_n);
 }
 

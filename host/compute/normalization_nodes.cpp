@@ -10,8 +10,8 @@
 namespace brdftab {
 namespace {
 
-// In t. A panel ends where a node more costs less than the empty room up to the next angle, and before it takes more nodes
-// than `width`.
+// In t. A panel ends where a node more costs less than the empty room up to the next angle, and before it
+// takes more nodes than `width`.
 constexpr double widest_panel = 0.25;
 constexpr double widest_gap = 0.08;
 // How far from the real axis N stays analytic, nearly; and the relative error that nodes are chosen for.
@@ -34,7 +34,8 @@ std::vector<double> shares(std::span<const double> nodes, double x) {
       result[j] = 1;
       return result;
     }
-    const double sine = std::sin((2 * static_cast<double>(j) + 1) * std::numbers::pi / (2 * static_cast<double>(nodes.size())));
+    const double sine = std::sin((2 * static_cast<double>(j) + 1) * std::numbers::pi /
+                                 (2 * static_cast<double>(nodes.size())));
     result[j] = (j % 2 ? -sine : sine) / (x - nodes[j]);
     sum += result[j];
   }
@@ -45,7 +46,8 @@ std::vector<double> shares(std::span<const double> nodes, double x) {
 std::vector<double> chebyshev(double low, double high, std::size_t count) {
   std::vector<double> nodes;
   for (std::size_t j = 0; j < count; ++j) {
-    const double cosine = std::cos((2 * static_cast<double>(j) + 1) * std::numbers::pi / (2 * static_cast<double>(count)));
+    const double cosine =
+        std::cos((2 * static_cast<double>(j) + 1) * std::numbers::pi / (2 * static_cast<double>(count)));
     nodes.push_back(0.5 * (low + high) + 0.5 * (high - low) * cosine);
   }
   return nodes;
@@ -61,7 +63,9 @@ NormalizationNodes::NormalizationNodes(std::span<const double> theta)
   std::vector<double> t;
   for (const std::size_t k : order) t.push_back(stretched(theta[k]));
   for (std::size_t begin = 0, end = 0; begin < t.size(); begin = end) {
-    for (end = begin + 1; end < t.size() && t[end] - t[begin] <= widest_panel && t[end] - t[end - 1] <= widest_gap;) ++end;
+    for (end = begin + 1;
+         end < t.size() && t[end] - t[begin] <= widest_panel && t[end] - t[end - 1] <= widest_gap;)
+      ++end;
     const double low = t[begin], high = t[end - 1];
     const std::size_t needed = nodes_needed(high - low);
     const int first = static_cast<int>(theta_.size());

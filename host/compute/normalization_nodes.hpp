@@ -1,5 +1,5 @@
-// Where a fit integrates N: at its polar angles or, where many lie close together, at fewer nodes between which it is
-// interpolated.
+// Where a fit integrates N: at its polar angles or, where many lie close together, at fewer nodes between
+// which it is interpolated.
 #pragma once
 
 #include <span>
@@ -7,10 +7,11 @@
 
 namespace brdftab {
 
-/// Angles are spread over t = artanh(sin theta), as in NormalizationCurve; there N and its derivatives by the parameters are
-/// analytic. Angles close together make a panel; where it has more angles than Chebyshev nodes are needed, polynomials
-/// through those give N at the angles: ln f and its derivatives are within 1e-9 for 40 random materials such as a fit may
-/// give. Elsewhere the angles themselves are the nodes, and nothing is interpolated.
+/// Angles are spread over t = artanh(sin theta), as in NormalizationCurve; there N and its derivatives by the
+/// parameters are analytic. Angles close together make a panel; where it has more angles than Chebyshev nodes
+/// are needed, polynomials through those give N at the angles: ln f and its derivatives are within 1e-9 for
+/// 40 random materials such as a fit may give. Elsewhere the angles themselves are the nodes, and nothing is
+/// interpolated.
 class NormalizationNodes {
  public:
   /// Distinct polar angles from 0 to below 90, degrees, in any order.

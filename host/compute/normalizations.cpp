@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "host/base/error.hpp"
-#include "host/base/interrupt.hpp"
 #include "host/base/numbers.hpp"
 
 namespace brdftab {
@@ -24,13 +23,14 @@ double Normalizations::largest_error() const {
 
 void run_by_angle(const Engine& engine, const cl::Kernel& kernel, std::size_t angles) {
   for (std::size_t begin = 0; begin < angles; begin += angles_at_once) {
-    stop_if_interrupted();
+    engine.watch().stop_if_asked();
     engine.run_items(kernel, {std::min(angles_at_once, angles - begin), 3, 1}, begin);
     engine.queue().finish();
   }
 }
 
-std::array<std::vector<double>, 3> download_by_lobe(const Engine& engine, const cl::Buffer& buffer, std::size_t angles) {
+std::array<std::vector<double>, 3> download_by_lobe(const Engine& engine, const cl::Buffer& buffer,
+                                                    std::size_t angles) {
   const auto values = engine.download(buffer, 3 * angles);
   std::array<std::vector<double>, 3> result;
   for (std::size_t lobe = 0; lobe < 3; ++lobe) {
@@ -40,14 +40,16 @@ std::array<std::vector<double>, 3> download_by_lobe(const Engine& engine, const 
   return result;
 }
 
-void refuse_not_finite(std::string_view quantity, std::size_t lobe, double theta, const Parameters& parameters) {
+void refuse_not_finite(std::string_view quantity, std::size_t lobe, double theta,
+                       const Parameters& parameters) {
   const auto& rho = parameter_table[3 + 2 * lobe];
-  throw BadInput("{} of the {} lobe is not finite at theta = {} degrees: {} = {}, w = {} and n = {} leave it no width", quantity,
-                 lobe_names[lobe], shortest(theta), rho.name, shortest(parameters.*rho.member), shortest(parameters.w),
-                 shortest(parameters.n));
+  throw BadInput(
+      "{} of the {} lobe is not finite at theta = {} degrees: {} = {}, w = {} and n = {} leave it no width",
+      quantity, lobe_names[lobe], shortest(theta), rho.name, shortest(parameters.*rho.member),
+      shortest(parameters.w), shortest(parameters.n));
 }
 
-Normalizations normalizations(const Engine& engine, const Band& band, const ModelSwitches& switches,
+Normalizations normalizations(const Engine& engine, const Band& band, const Variant& variant,
                               std::span<const double> theta) {
   const std::size_t bytes = 3 * theta.size() * bytes_of(engine.working());
   const cl::Buffer angles = engine.upload_polar_angles(theta);
@@ -56,7 +58,7 @@ Normalizations normalizations(const Engine& engine, const Band& band, const Mode
   result.on_device = engine.buffer(bytes);
   cl::Kernel kernel = engine.kernel("normalizations");
   set_arguments(kernel, angles, static_cast<cl_int>(theta.size()), result.on_device, errors);
-  KernelMaterial(band.parameters, switches, engine.working()).set(kernel, 4);
+  KernelMaterial(band.parameters, variant, engine.working()).set(kernel, 4);
   run_by_angle(engine, kernel, theta.size());
   result.value = download_by_lobe(engine, result.on_device, theta.size());
   result.error = download_by_lobe(engine, errors, theta.size());

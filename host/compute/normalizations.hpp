@@ -24,13 +24,16 @@ struct Normalizations {
 void run_by_angle(const Engine& engine, const cl::Kernel& kernel, std::size_t angles);
 
 /// What such a kernel wrote, [lobe][angle], by lobe; waits for the queue.
-std::array<std::vector<double>, 3> download_by_lobe(const Engine& engine, const cl::Buffer& buffer, std::size_t angles);
+std::array<std::vector<double>, 3> download_by_lobe(const Engine& engine, const cl::Buffer& buffer,
+                                                    std::size_t angles);
 
-/// Throws BadInput that names the lobe, the polar angle in degrees and the parameters that leave `quantity` not finite.
-[[noreturn]] void refuse_not_finite(std::string_view quantity, std::size_t lobe, double theta, const Parameters& parameters);
+/// Throws BadInput that names the lobe, the polar angle in degrees and the parameters that leave `quantity`
+/// not finite.
+[[noreturn]] void refuse_not_finite(std::string_view quantity, std::size_t lobe, double theta,
+                                    const Parameters& parameters);
 
 /// Polar angles in degrees. Throws BadInput, which names lobe, angle and parameters, where N is not finite.
-Normalizations normalizations(const Engine& engine, const Band& band, const ModelSwitches& switches,
+Normalizations normalizations(const Engine& engine, const Band& band, const Variant& variant,
                               std::span<const double> theta);
 
 }  // namespace brdftab

@@ -1,4 +1,5 @@
-// A polar angle stretched toward grazing, where the lobes narrow: in t = artanh(sin theta), N is even and analytic.
+// A polar angle stretched toward grazing, where the lobes narrow: in t = artanh(sin theta), N is even and
+// analytic.
 #pragma once
 
 #include <cmath>

@@ -6,8 +6,8 @@ namespace brdftab {
 
 void check_keep_bits(int keep_bits, Precision precision) {
   if (keep_bits < 1 || keep_bits > mantissa_bits(precision))
-    throw BadInput("--keep-bits {}: must lie in 1 to {}, the explicit bits of a {} mantissa", keep_bits, mantissa_bits(precision),
-                   name_of(precision));
+    throw BadInput("--keep-bits {}: must lie in 1 to {}, the explicit bits of a {} mantissa", keep_bits,
+                   mantissa_bits(precision), name_of(precision));
 }
 
 void round_mantissas(const Engine& engine, const Slab& slab, const cl::Buffer& samples, int keep_bits) {

@@ -2,13 +2,14 @@
 // from a curve over the polar angle.
 #pragma once
 
-#include <array>
 #include <boost/math/interpolators/cardinal_cubic_b_spline.hpp>
+
+#include <array>
 #include <vector>
 
+#include "host/compute/normalization_curve.hpp"
 #include "host/compute/opencl/engine.hpp"
 #include "host/model/material.hpp"
-#include "host/compute/normalization_curve.hpp"
 #include "host/model/polarization.hpp"
 
 namespace brdftab {
@@ -34,8 +35,8 @@ struct AngleRange {
 class SampledModel {
  public:
   /// Throws BadInput where N is not finite.
-  SampledModel(const Engine& engine, const Material& material, const std::vector<Polarization>& polarizations, AngleRange theta_i,
-               AngleRange theta_s);
+  SampledModel(const Engine& engine, const Material& material, const std::vector<Polarization>& polarizations,
+               AngleRange theta_i, AngleRange theta_s);
 
   std::size_t brdfs() const { return bands_.size() * polarizations_.size(); }
 

@@ -22,11 +22,15 @@ std::vector<Slab> slabs(const Grid& grid, std::size_t most_nodes, const Chunk& c
   const std::size_t row = grid.phi_s.size();
   const std::size_t slice = row * grid.theta_s.size();
   const std::size_t incidence = slice * grid.phi_i.size();
-  const auto whole_chunks = [](std::size_t nodes, std::size_t step) { return std::max(nodes - nodes % step, step); };
+  const auto whole_chunks = [](std::size_t nodes, std::size_t step) {
+    return std::max(nodes - nodes % step, step);
+  };
   // A dimension is cut only where everything inside it does not fit, so a slab is contiguous.
   const std::size_t theta_i = whole_chunks(most_nodes / incidence, chunk.theta_i);
-  const std::size_t phi_i = incidence <= most_nodes ? grid.phi_i.size() : whole_chunks(most_nodes / slice, chunk.phi_i);
-  const std::size_t theta_s = slice <= most_nodes ? grid.theta_s.size() : whole_chunks(most_nodes / row, chunk.theta_s);
+  const std::size_t phi_i =
+      incidence <= most_nodes ? grid.phi_i.size() : whole_chunks(most_nodes / slice, chunk.phi_i);
+  const std::size_t theta_s =
+      slice <= most_nodes ? grid.theta_s.size() : whole_chunks(most_nodes / row, chunk.theta_s);
   std::vector<Slab> result;
   for (const Range i : pieces({0, grid.theta_i.size()}, theta_i))
     for (const Range p : pieces({0, grid.phi_i.size()}, phi_i))

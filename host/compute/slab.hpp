@@ -32,8 +32,8 @@ struct Slab {
 /// At most `most` of the indices below `count`, spread evenly, both ends included.
 std::vector<std::size_t> spread_indices(std::size_t count, std::size_t most);
 
-/// Cuts a grid, in the table's order, into slabs of whole chunks and at most `most_nodes` (or one chunk). Without a chunk,
-/// rows of phi_s are not cut.
+/// Cuts a grid, in the table's order, into slabs of whole chunks and at most `most_nodes` (or one chunk).
+/// Without a chunk, rows of phi_s are not cut.
 std::vector<Slab> slabs(const Grid& grid, std::size_t most_nodes, const Chunk& chunk = {});
 
 }  // namespace brdftab

@@ -16,7 +16,8 @@ constexpr std::size_t starts_at_once = 32;
 constexpr std::size_t most_polished = 6;
 // An rms this much above the best counts as having reached it.
 constexpr double reached_rms = 1.01;
-// 95 % efficient for normal residuals: 2.385 of their standard deviation, which is 1.4826 of the median modulus.
+// 95 % efficient for normal residuals: 2.385 of their standard deviation, which is 1.4826 of the median
+// modulus.
 constexpr double cauchy_scale = 2.385 * 1.4826;
 
 constexpr int cauchy_rounds = 5;
@@ -30,12 +31,14 @@ constexpr Patience polish{.iterations = 400, .tolerance = 1e-13};
 std::vector<Minimum> descend(const FitProblem& problem, const std::vector<std::vector<double>>& starts,
                              const Patience& patience) {
   std::vector<Minimum> minima(starts.size());
-  problem.batch().run(starts.size(), starts_at_once, [&](std::size_t k) { minima[k] = minimize(problem, starts[k], patience); });
+  problem.batch().run(starts.size(), starts_at_once,
+                      [&](std::size_t k) { minima[k] = minimize(problem, starts[k], patience); });
   return minima;
 }
 
 void sort_by_cost(std::vector<Minimum>& minima) {
-  std::stable_sort(minima.begin(), minima.end(), [](const auto& a, const auto& b) { return a.cost < b.cost; });
+  std::stable_sort(minima.begin(), minima.end(),
+                   [](const auto& a, const auto& b) { return a.cost < b.cost; });
 }
 
 std::vector<std::vector<double>> best_points(const std::vector<Minimum>& sorted, std::size_t count) {
@@ -56,8 +59,8 @@ double update_noise(FitProblem& problem, const Minimum& best) {
   return problem.update_noise(best.u, freedom(linear_uncertainty(problem, best)));
 }
 
-// What the residuals are measured by, the noise and the scale of a robust loss, follows from the fit itself: it stays as it is
-// while a descent goes on, and is renewed between descents until it settles.
+// What the residuals are measured by, the noise and the scale of a robust loss, follows from the fit itself:
+// it stays as it is while a descent goes on, and is renewed between descents until it settles.
 void settle(FitProblem& problem, std::vector<Minimum>& polished) {
   const FitOptions& options = problem.options();
   const bool is_robust = options.loss == FitLoss::cauchy;
@@ -67,7 +70,8 @@ void settle(FitProblem& problem, std::vector<Minimum>& polished) {
     if (change < settled_noise && round >= (is_robust ? cauchy_rounds : 0)) return;
     if (is_robust) {
       problem.loss_scale = std::numeric_limits<double>::infinity();
-      problem.loss_scale = cauchy_scale * std::max(median_modulus(problem.residuals(polished.front().u).values), 1e-6);
+      problem.loss_scale =
+          cauchy_scale * std::max(median_modulus(problem.residuals(polished.front().u).values), 1e-6);
     }
     polished = descend(problem, best_points(polished, most_polished), polish);
     sort_by_cost(polished);
@@ -79,18 +83,25 @@ void settle(FitProblem& problem, std::vector<Minimum>& polished) {
 Fit fit(FitProblem& problem) {
   const auto begin = std::chrono::steady_clock::now();
   const FitOptions& options = problem.options();
-  std::vector<Minimum> minima = descend(problem, fit_starts(problem, options.starts, options.seed), first_descent);
+  std::vector<Minimum> minima =
+      descend(problem, fit_starts(problem, options.starts, options.seed), first_descent);
   sort_by_cost(minima);
   std::vector<Minimum> polished = descend(problem, best_points(minima, most_polished), polish);
   sort_by_cost(polished);
   settle(problem, polished);
-  Fit result{
-      .best = {}, .starts = options.starts, .converged = 0, .reached = 0, .seconds = 0, .kernel_seconds = 0, .evaluations = 0};
+  Fit result{.best = {},
+             .starts = options.starts,
+             .converged = 0,
+             .reached = 0,
+             .seconds = 0,
+             .kernel_seconds = 0,
+             .evaluations = 0};
   for (const Minimum& minimum : minima) result.converged += minimum.converged && std::isfinite(minimum.cost);
   if (result.converged == 0 || polished.empty() || !std::isfinite(polished.front().cost))
-    throw Error(ExitStatus::check_failed, "none of {} starts converged; --starts and --seed try others", options.starts);
+    throw Error(Fault::check, "none of {} starts converged; --starts and --seed try others", options.starts);
   result.best = polished.front();
-  for (const Minimum& minimum : minima) result.reached += std::sqrt(minimum.cost) <= reached_rms * std::sqrt(minima.front().cost);
+  for (const Minimum& minimum : minima)
+    result.reached += std::sqrt(minimum.cost) <= reached_rms * std::sqrt(minima.front().cost);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   result.kernel_seconds = problem.batch().seconds();
   result.evaluations = problem.batch().materials();

@@ -8,12 +8,13 @@
 
 namespace brdftab {
 
-/// The readings at or below the floor were left out by their measured value, so that what is kept is too high on average.
+/// The readings at or below the floor were left out by their measured value, so that what is kept is too high
+/// on average.
 struct LowReadingsLeftOut {
   /// Samples left out, and all within max_theta.
   std::size_t count, all;
-  /// The angle of incidence, in degrees, where the fitted f exceeds the readings most, those left out included; sums over its
-  /// samples, weighted by cos theta_s sin theta_s as DHR is over a ring.
+  /// The angle of incidence, in degrees, where the fitted f exceeds the readings most, those left out
+  /// included; sums over its samples, weighted by cos theta_s sin theta_s as DHR is over a ring.
   double theta_i;
   double fitted_sum, measured_sum;
 };

@@ -16,20 +16,23 @@ bool is_geometric(std::size_t parameter) {
   return name.starts_with("rho") || parameter >= 8;
 }
 
-// Of a noise model that is estimated: the parts with which the first descents begin, of f and of the data's median modulus.
+// Of a noise model that is estimated: the parts with which the first descents begin, of f and of the data's
+// median modulus.
 constexpr double first_relative_noise = 0.05;
 constexpr double first_floor = 0.1;
 
 }  // namespace
 
-FitProblem::FitProblem(const Engine& engine, const Measurement& measurement, const FitOptions& options) : options_(options) {
+FitProblem::FitProblem(const Engine& engine, const Measurement& measurement, const FitOptions& options)
+    : options_(options) {
   take_samples(measurement);
   make_variables();
-  if (variables_.empty()) throw BadInput("{}: every parameter is fixed: there is nothing to fit", measurement.source);
+  if (variables_.empty())
+    throw BadInput("{}: every parameter is fixed: there is nothing to fit", measurement.source);
   if (samples_ <= variables_.size())
-    throw BadInput("{}: {} samples are left for {} free parameters ({} beyond {} degrees, {} below {} 1/sr)", measurement.source,
-                   samples_, variables_.size(), beyond_max_theta_, shortest(options.max_theta), below_floor_,
-                   shortest(options.floor));
+    throw BadInput("{}: {} samples are left for {} free parameters ({} beyond {} degrees, {} below {} 1/sr)",
+                   measurement.source, samples_, variables_.size(), beyond_max_theta_,
+                   shortest(options.max_theta), below_floor_, shortest(options.floor));
   if (options.weights == FitWeights::sigma && !measurement.has_sigma())
     throw BadInput("{}: --weights sigma takes a column sigma with a value in every row", measurement.source);
   weigh();
@@ -40,7 +43,8 @@ FitProblem::FitProblem(const Engine& engine, const Measurement& measurement, con
   batch_ = std::make_unique<GradientBatch>(std::move(gradients), mean_of_exchanges_);
 }
 
-LogBrdfGradients FitProblem::gradients_at(const Engine& engine, const std::vector<MeasuredSample>& samples) const {
+LogBrdfGradients FitProblem::gradients_at(const Engine& engine,
+                                          const std::vector<MeasuredSample>& samples) const {
   std::vector<DirectionPair> pairs;
   std::vector<double> shares;
   for (const auto& sample : samples) {
@@ -51,7 +55,7 @@ LogBrdfGradients FitProblem::gradients_at(const Engine& engine, const std::vecto
     pairs = with_exchanges(std::move(pairs));
     for (std::size_t k = 0; k < samples.size(); ++k) shares.push_back(shares[k]);
   }
-  return {engine, pairs, shares, options_.switches};
+  return {engine, pairs, shares, options_.variant};
 }
 
 LogBrdfValues FitProblem::values_at(const Engine& engine, const std::vector<MeasuredSample>& samples,
@@ -79,8 +83,9 @@ void FitProblem::take_samples(const Measurement& measurement) {
     }
     samples_ += bands_.back().samples.size();
     if (bands_.back().samples.empty())
-      throw BadInput("{}: no sample of channel {} lies within {} degrees and above {} 1/sr", measurement.source,
-                     excerpt(measurement.channels[c]), shortest(options_.max_theta), shortest(options_.floor));
+      throw BadInput("{}: no sample of channel {} lies within {} degrees and above {} 1/sr",
+                     measurement.source, excerpt(measurement.channels[c]), shortest(options_.max_theta),
+                     shortest(options_.floor));
   }
   incidence_width_ = measurement.incidence_width;
   incidences_.emplace(used, incidence_width_);
@@ -89,11 +94,14 @@ void FitProblem::take_samples(const Measurement& measurement) {
 bool FitProblem::is_of_one_light() const {
   const double first = bands_.front().samples.front().share_s;
   return std::all_of(bands_.begin(), bands_.end(), [&](const FitBand& band) {
-    return std::all_of(band.samples.begin(), band.samples.end(), [&](const auto& sample) { return sample.share_s == first; });
+    return std::all_of(band.samples.begin(), band.samples.end(),
+                       [&](const auto& sample) { return sample.share_s == first; });
   });
 }
 
-double FitProblem::share_s() const { return is_of_one_light() ? bands_.front().samples.front().share_s : 0.5; }
+double FitProblem::share_s() const {
+  return is_of_one_light() ? bands_.front().samples.front().share_s : 0.5;
+}
 
 void FitProblem::weigh() {
   double sum = 0;
@@ -112,7 +120,8 @@ void FitProblem::weigh() {
     for (double& weight : band.weights) weight *= static_cast<double>(samples_) / sum;
 }
 
-// A fit needs sigmas before it has a model. With a noise model they come from the data, until update_noise has f of a model.
+// A fit needs sigmas before it has a model. With a noise model they come from the data, until update_noise
+// has f of a model.
 void FitProblem::guess_sigma() {
   if (options_.noise) {
     std::vector<double> sizes;
@@ -169,7 +178,8 @@ void FitProblem::make_variables() {
 std::vector<Parameters> FitProblem::parameters(std::span<const double> u) const {
   std::vector<Parameters> result = fixed_;
   for (std::size_t v = 0; v < variables_.size(); ++v)
-    for (const std::size_t b : variables_[v].bands) result[b].*variables_[v].row().member = variables_[v].from_solver(u[v]);
+    for (const std::size_t b : variables_[v].bands)
+      result[b].*variables_[v].row().member = variables_[v].from_solver(u[v]);
   return result;
 }
 
@@ -235,7 +245,9 @@ FitProblem::Residuals FitProblem::residuals(std::span<const double> u) const {
     const std::size_t count = bands_[b].samples.size();
     for (std::size_t v = 0; v < columns; ++v) {
       const auto& owners = variables_[v].bands;
-      if (owners.size() == 1 ? owners.front() != b : std::find(owners.begin(), owners.end(), b) == owners.end()) continue;
+      if (owners.size() == 1 ? owners.front() != b
+                             : std::find(owners.begin(), owners.end(), b) == owners.end())
+        continue;
       const double slope = variables_[v].slope(u[v]);
       const auto by = evaluated[b].by(variables_[v].parameter);
       for (std::size_t k = 0; k < count; ++k) {
@@ -267,7 +279,8 @@ FitProblem::LogRms FitProblem::log_rms(std::span<const double> u) const {
     of_all += value.first;
     samples += value.second;
   }
-  return {std::sqrt(of_all / samples), std::sqrt(of_means / static_cast<double>(sums.size())), static_cast<std::size_t>(samples)};
+  return {std::sqrt(of_all / samples), std::sqrt(of_means / static_cast<double>(sums.size())),
+          static_cast<std::size_t>(samples)};
 }
 
 }  // namespace brdftab

@@ -1,4 +1,5 @@
-// The least-squares problem of a fit: samples with weights, variables with bounds, residuals and their derivatives.
+// The least-squares problem of a fit: samples with weights, variables with bounds, residuals and their
+// derivatives.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +9,8 @@
 
 #include "host/fit/fit_variable.hpp"
 #include "host/fit/gradient_batch.hpp"
-#include "host/model/measurement/measurement.hpp"
 #include "host/fit/noise_model.hpp"
+#include "host/model/measurement/measurement.hpp"
 
 namespace brdftab {
 
@@ -33,7 +34,7 @@ struct FitOptions {
   FitLoss loss = FitLoss::linear;
   /// Between the channels of a spectrum: rho, V and V_m; otherwise nothing.
   bool share_geometry = true;
-  ModelSwitches switches;
+  Variant variant;
 };
 
 /// The samples of one channel that a fit uses.
@@ -71,8 +72,8 @@ class FitProblem {
 
   /// Where there is a noise model: that of the sigmas in force.
   const std::optional<NoiseModel>& noise() const { return noise_; }
-  /// Estimates what is not given of the noise model, and sets each sample's sigma by it, with f of the model at u; `freedom` is
-  /// 1 - leverage of each sample there. Returns the largest relative change of a sigma.
+  /// Estimates what is not given of the noise model, and sets each sample's sigma by it, with f of the model
+  /// at u; `freedom` is 1 - leverage of each sample there. Returns the largest relative change of a sigma.
   double update_noise(std::span<const double> u, std::span<const double> freedom);
 
   /// Scale of the Cauchy loss, in units of the residuals; infinite: no loss.
@@ -81,7 +82,8 @@ class FitProblem {
   std::vector<Parameters> parameters(std::span<const double> u) const;
   std::vector<double> solver_variables(std::span<const Parameters> bands) const;
 
-  /// sqrt(weight) times the misfit, with the loss applied, and, row-major, its derivatives by the solver's variables.
+  /// sqrt(weight) times the misfit, with the loss applied, and, row-major, its derivatives by the solver's
+  /// variables.
   struct Residuals {
     std::vector<double> values;
     std::vector<double> jacobian;
@@ -96,16 +98,18 @@ class FitProblem {
   double unit(std::size_t band, std::size_t sample) const;
   /// ln(model/data) of one band; nan where the datum is not above 0.
   std::vector<double> log_ratios(const BandValues& values, std::size_t band) const;
-  /// Square roots of the mean square of ln(model/data), over the samples above the floor alike, and over the means of each
-  /// setting of theta_i of each band; nan where no sample is above it.
+  /// Square roots of the mean square of ln(model/data), over the samples above the floor alike, and over the
+  /// means of each setting of theta_i of each band; nan where no sample is above it.
   struct LogRms {
     double of_samples, of_incidences;
     std::size_t samples;
   };
   LogRms log_rms(std::span<const double> u) const;
 
-  /// ln f of a material, and its derivatives, at the directions of samples, each in its light and as the measurement has them.
-  LogBrdfValues values_at(const Engine& engine, const std::vector<MeasuredSample>& samples, const Parameters& parameters) const;
+  /// ln f of a material, and its derivatives, at the directions of samples, each in its light and as the
+  /// measurement has them.
+  LogBrdfValues values_at(const Engine& engine, const std::vector<MeasuredSample>& samples,
+                          const Parameters& parameters) const;
 
  private:
   LogBrdfGradients gradients_at(const Engine& engine, const std::vector<MeasuredSample>& samples) const;

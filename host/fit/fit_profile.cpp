@@ -24,8 +24,14 @@ struct End {
 
 class Profile {
  public:
-  Profile(const FitProblem& problem, const Minimum& best, std::size_t variable, double variance, double target)
-      : problem_(problem), best_(best), variable_(variable), variance_(variance), target_(target), held_(best.u.size()) {
+  Profile(const FitProblem& problem, const Minimum& best, std::size_t variable, double variance,
+          double target)
+      : problem_(problem),
+        best_(best),
+        variable_(variable),
+        variance_(variance),
+        target_(target),
+        held_(best.u.size()) {
     held_[variable] = true;
     lowest_ = best;
   }
@@ -61,7 +67,9 @@ class Profile {
       } else {
         if (u == bound) return {bound, true};
         const double gained = rise / std::max(inner_rise, 1e-3 * target_);
-        step = std::abs(u - inner) * (k == 0 ? std::clamp(target_ / std::max(rise, 1e-3) - 1, 0.3, 8.0) : gained > 4 ? 1.0 : 2.5);
+        step = std::abs(u - inner) * (k == 0       ? std::clamp(target_ / std::max(rise, 1e-3) - 1, 0.3, 8.0)
+                                      : gained > 4 ? 1.0
+                                                   : 2.5);
         inner = u;
         inner_rise = rise;
         inner_point = there.u;
@@ -111,7 +119,8 @@ std::vector<Interval95> profile_intervals(const FitProblem& problem, Minimum& be
       const End& low = ends[2 * v];
       const End& high = ends[2 * v + 1];
       result.push_back({low.open ? variables[v].minimum : variables[v].from_solver(low.u),
-                        high.open ? variables[v].maximum : variables[v].from_solver(high.u), low.open, high.open});
+                        high.open ? variables[v].maximum : variables[v].from_solver(high.u), low.open,
+                        high.open});
     }
     return result;
   }

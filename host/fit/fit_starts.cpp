@@ -1,6 +1,7 @@
 #include "host/fit/fit_starts.hpp"
 
 #include <Eigen/Dense>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -37,27 +38,32 @@ constexpr std::array<ShapeRange, 14> shape_ranges{{{0.6, 4, 0},
 constexpr std::array<std::size_t, 3> amplitudes{2, 4, 6};
 
 Parameters draw(const FitProblem& problem, std::mt19937_64& random) {
-  const auto uniform = [&](double low, double high) { return low + (high - low) * std::generate_canonical<double, 53>(random); };
+  const auto uniform = [&](double low, double high) {
+    return low + (high - low) * std::generate_canonical<double, 53>(random);
+  };
   Parameters parameters{};
   for (std::size_t p = 0; p < parameter_table.size(); ++p) {
     const auto& choice = problem.options().choices[p];
     const auto& range = shape_ranges[p];
     const bool is_low = uniform(0, 1) < range.low_share;
     const double drawn = is_low ? range.low : std::exp(uniform(std::log(range.low), std::log(range.high)));
-    parameters.*parameter_table[p].member = choice.fixed ? *choice.fixed : std::clamp(drawn, choice.minimum, choice.maximum);
+    parameters.*parameter_table[p].member =
+        choice.fixed ? *choice.fixed : std::clamp(drawn, choice.minimum, choice.maximum);
   }
   return parameters;
 }
 
 // Minimises |A x - b|^2 over x >= 0, three unknowns: the best of the eight sets of positive ones.
-Eigen::Vector3d non_negative(const Eigen::Matrix3d& normal, const Eigen::Vector3d& right, const std::array<bool, 3>& free) {
+Eigen::Vector3d non_negative(const Eigen::Matrix3d& normal, const Eigen::Vector3d& right,
+                             const std::array<bool, 3>& free) {
   Eigen::Vector3d best = Eigen::Vector3d::Zero();
   double best_value = 0;
   for (int set = 1; set < 8; ++set) {
     std::vector<int> chosen;
     for (int k = 0; k < 3; ++k)
       if (set >> k & 1) chosen.push_back(k);
-    if (std::any_of(chosen.begin(), chosen.end(), [&](int k) { return !free[static_cast<std::size_t>(k)]; })) continue;
+    if (std::any_of(chosen.begin(), chosen.end(), [&](int k) { return !free[static_cast<std::size_t>(k)]; }))
+      continue;
     const auto count = static_cast<Eigen::Index>(chosen.size());
     Eigen::MatrixXd part(count, count);
     Eigen::VectorXd part_right(count);
@@ -78,20 +84,24 @@ Eigen::Vector3d non_negative(const Eigen::Matrix3d& normal, const Eigen::Vector3
 }
 
 // Amplitudes that bring the model nearest to the data, in the units of the fit's residuals.
-void set_amplitudes(const FitProblem& problem, std::size_t band, const BandValues& values, Parameters& parameters) {
+void set_amplitudes(const FitProblem& problem, std::size_t band, const BandValues& values,
+                    Parameters& parameters) {
   const FitBand& data = problem.bands()[band];
   Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
   Eigen::Vector3d right = Eigen::Vector3d::Zero();
   const auto ln_f = values.ln_f();
   std::array<bool, 3> free{};
-  for (std::size_t lobe = 0; lobe < 3; ++lobe) free[lobe] = !problem.options().choices[amplitudes[lobe]].fixed;
+  for (std::size_t lobe = 0; lobe < 3; ++lobe)
+    free[lobe] = !problem.options().choices[amplitudes[lobe]].fixed;
   for (std::size_t k = 0; k < ln_f.size(); ++k) {
     Eigen::Vector3d part;
     const double f = std::exp(ln_f[k]) / problem.unit(band, k);
     double target = data.samples[k].brdf / problem.unit(band, k);
     for (std::size_t lobe = 0; lobe < 3; ++lobe) {
       part[static_cast<Eigen::Index>(lobe)] = values.by(amplitudes[lobe])[k] * f;
-      if (!free[lobe]) target -= part[static_cast<Eigen::Index>(lobe)] * (parameters.*parameter_table[amplitudes[lobe]].member);
+      if (!free[lobe])
+        target -=
+            part[static_cast<Eigen::Index>(lobe)] * (parameters.*parameter_table[amplitudes[lobe]].member);
     }
     if (!part.allFinite()) continue;
     normal += data.weights[k] * part * part.transpose();
@@ -112,17 +122,20 @@ double cost(const FitProblem& problem, const std::vector<BandValues>& values) {
   double sum = 0;
   for (std::size_t b = 0; b < values.size(); ++b) {
     const auto misfits = problem.misfits(values[b], b);
-    for (std::size_t k = 0; k < misfits.size(); ++k) sum += problem.bands()[b].weights[k] * misfits[k] * misfits[k];
+    for (std::size_t k = 0; k < misfits.size(); ++k)
+      sum += problem.bands()[b].weights[k] * misfits[k] * misfits[k];
   }
   return std::isfinite(sum) ? sum : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace
 
-std::vector<std::vector<double>> fit_starts(const FitProblem& problem, std::size_t count, std::uint64_t seed) {
+std::vector<std::vector<double>> fit_starts(const FitProblem& problem, std::size_t count,
+                                            std::uint64_t seed) {
   std::mt19937_64 random(seed);
   std::vector<std::vector<Parameters>> draws;
-  for (std::size_t d = 0; d < draws_per_start * count; ++d) draws.emplace_back(problem.bands().size(), draw(problem, random));
+  for (std::size_t d = 0; d < draws_per_start * count; ++d)
+    draws.emplace_back(problem.bands().size(), draw(problem, random));
   std::vector<double> costs;
   for (std::size_t begin = 0; begin < draws.size(); begin += draws_at_once) {
     const std::span part(draws.data() + begin, std::min(draws_at_once, draws.size() - begin));

@@ -7,8 +7,9 @@
 
 namespace brdftab {
 
-/// The best `count` of many draws, in the solver's variables. The shapes are drawn over what measured surfaces have; the three
-/// amplitudes, in which f is linear, then follow from the data of each band by non-negative least squares.
+/// The best `count` of many draws, in the solver's variables. The shapes are drawn over what measured
+/// surfaces have; the three amplitudes, in which f is linear, then follow from the data of each band by
+/// non-negative least squares.
 std::vector<std::vector<double>> fit_starts(const FitProblem& problem, std::size_t count, std::uint64_t seed);
 
 }  // namespace brdftab

@@ -56,20 +56,23 @@ std::pair<double, double> seen_range(const std::vector<Information>& list) {
   return best;
 }
 
-// What f would be divided by in the residual of a further sample: with sigmas of the data, that of the most alike reading.
+// What f would be divided by in the residual of a further sample: with sigmas of the data, that of the most
+// alike reading.
 double expected_unit(const FitProblem& problem, double f) {
   if (!problem.options().take_sigma()) return f;
   if (problem.noise()) return problem.noise()->sigma(f);
   const auto& samples = problem.bands().front().samples;
-  return std::min_element(samples.begin(), samples.end(),
-                          [&](const auto& a, const auto& b) { return std::abs(a.brdf - f) < std::abs(b.brdf - f); })
+  return std::min_element(
+             samples.begin(), samples.end(),
+             [&](const auto& a, const auto& b) { return std::abs(a.brdf - f) < std::abs(b.brdf - f); })
       ->sigma;
 }
 
 }  // namespace
 
 std::vector<Sufficiency> sufficiency(const Engine& engine, const FitProblem& problem, const Minimum& best,
-                                     const LinearUncertainty& linear, const std::vector<std::size_t>& variables) {
+                                     const LinearUncertainty& linear,
+                                     const std::vector<std::size_t>& variables) {
   if (variables.empty()) return {};
   std::vector<double> incidences;
   for (double theta_i = 0; theta_i <= 85; theta_i += 5) incidences.push_back(theta_i);
@@ -77,12 +80,13 @@ std::vector<Sufficiency> sufficiency(const Engine& engine, const FitProblem& pro
   for (const double theta_i : incidences)
     for (double theta_s = -80; theta_s <= 80; theta_s += 5) scans.push_back({theta_i, theta_s, 0, 0});
   const std::size_t scan = scans.size() / incidences.size();
-  const LogBrdfGradients gradients(engine, scans, problem.share_s(), problem.options().switches);
+  const LogBrdfGradients gradients(engine, scans, problem.share_s(), problem.options().variant);
   // A spectrum is judged by its first band.
   const auto bands = problem.parameters(best.u);
   const LogBrdfValues values = gradients.evaluate({bands.data(), 1});
   std::vector<double> weight;
-  for (const double ln_f : values.ln_f(0)) weight.push_back(std::exp(ln_f) / expected_unit(problem, std::exp(ln_f)));
+  for (const double ln_f : values.ln_f(0))
+    weight.push_back(std::exp(ln_f) / expected_unit(problem, std::exp(ln_f)));
   const auto count = static_cast<Eigen::Index>(linear.active.size());
   const Eigen::VectorXd lengths = linear.jacobian.colwise().norm();
   const auto inverse_scaled = [&](const Eigen::MatrixXd& jacobian) {
@@ -102,15 +106,16 @@ std::vector<Sufficiency> sufficiency(const Engine& engine, const FitProblem& pro
       const double slope = v.slope(best.u[linear.active[static_cast<std::size_t>(a)]]);
       for (std::size_t k = 0; k < scan; ++k) {
         const double by = values.by(0, v.parameter)[i * scan + k] * weight[i * scan + k];
-        extended(linear.jacobian.rows() + static_cast<Eigen::Index>(k), a) = is_first && std::isfinite(by) ? by * slope : 0;
+        extended(linear.jacobian.rows() + static_cast<Eigen::Index>(k), a) =
+            is_first && std::isfinite(by) ? by * slope : 0;
       }
     }
     after.push_back(inverse_scaled(extended));
   }
   std::vector<Sufficiency> result;
   for (const std::size_t variable : variables) {
-    const auto column =
-        static_cast<Eigen::Index>(std::find(linear.active.begin(), linear.active.end(), variable) - linear.active.begin());
+    const auto column = static_cast<Eigen::Index>(
+        std::find(linear.active.begin(), linear.active.end(), variable) - linear.active.begin());
     const auto [from, to] = seen_range(information_by_incidence(problem, linear, column));
     Sufficiency entry{variable, from, to, incidences.front(), 0};
     for (std::size_t i = 0; i < incidences.size(); ++i) {

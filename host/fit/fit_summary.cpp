@@ -20,7 +20,8 @@ std::string name_of(const FitProblem& problem, const FitVariable& variable) {
 }
 
 // Each line costs an integral of the model over the hemisphere.
-std::vector<IncidenceFit> by_incidence(const Engine& engine, const FitProblem& problem, const std::vector<double>& u) {
+std::vector<IncidenceFit> by_incidence(const Engine& engine, const FitProblem& problem,
+                                       const std::vector<double>& u) {
   const Incidences& settings = problem.incidences();
   const Incidences listed = settings.joined(most_incidences);
   const std::vector<double> angles = listed.angles();
@@ -36,13 +37,17 @@ std::vector<IncidenceFit> by_incidence(const Engine& engine, const FitProblem& p
       squares += ratios[k] * ratios[k];
       ++count;
     }
-    const Dhr dhr = integrals(engine, {problem.bands()[b].wavelength_nm, parameters[b]}, problem.options().switches, angles).dhr;
+    const Dhr dhr = integrals(engine, {problem.bands()[b].wavelength_nm, parameters[b]},
+                              problem.options().variant, angles)
+                        .dhr;
     for (std::size_t k = 0; k < listed.size(); ++k) {
       const auto& [squares, count] = sums[k];
       if (count == 0) continue;
-      result.push_back({problem.bands()[b].channel, angles[k], settings.angle(settings.index(listed.lowest(k))),
-                        settings.angle(settings.index(listed.highest(k))), count, std::sqrt(squares / static_cast<double>(count)),
-                        share_s * dhr.total(k, Polarization::s) + (1 - share_s) * dhr.total(k, Polarization::p)});
+      result.push_back(
+          {problem.bands()[b].channel, angles[k], settings.angle(settings.index(listed.lowest(k))),
+           settings.angle(settings.index(listed.highest(k))), count,
+           std::sqrt(squares / static_cast<double>(count)),
+           share_s * dhr.total(k, Polarization::s) + (1 - share_s) * dhr.total(k, Polarization::p)});
     }
   }
   return result;
@@ -52,7 +57,8 @@ std::vector<Correlation> strongest_correlations(const FitProblem& problem, const
   std::vector<Correlation> result;
   for (Eigen::Index i = 0; i < linear.covariance.rows(); ++i)
     for (Eigen::Index j = 0; j < i; ++j) {
-      const double value = linear.covariance(i, j) / std::sqrt(linear.covariance(i, i) * linear.covariance(j, j));
+      const double value =
+          linear.covariance(i, j) / std::sqrt(linear.covariance(i, i) * linear.covariance(j, j));
       const auto name = [&](Eigen::Index k) {
         return name_of(problem, problem.variables()[linear.active[static_cast<std::size_t>(k)]]);
       };
@@ -79,8 +85,9 @@ FitSummary summarize(const Engine& engine, const FitProblem& problem, Fit fit, b
     const double value = variable.from_solver(fit.best.u[v]);
     const double error = summary.linear.standard_error(v) * variable.slope(fit.best.u[v]);
     summary.variables.push_back({name_of(problem, variable), value,
-                                 std::isfinite(error) ? error : std::numeric_limits<double>::quiet_NaN(), intervals[v],
-                                 variable.at_minimum(value) || variable.at_maximum(value), true});
+                                 std::isfinite(error) ? error : std::numeric_limits<double>::quiet_NaN(),
+                                 intervals[v], variable.at_minimum(value) || variable.at_maximum(value),
+                                 true});
     summary.variables.back().has_interval = profile || !summary.variables.back().at_bound;
     if (summary.variables.back().poorly_known() && std::isfinite(error)) poorly_known.push_back(v);
   }

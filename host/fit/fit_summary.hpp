@@ -23,7 +23,9 @@ struct FittedVariable {
 
   bool unidentifiable() const { return has_interval && interval.open_below && interval.open_above; }
   /// Within a factor of two at best.
-  bool poorly_known() const { return interval.open_below || interval.open_above || interval.high > 2 * interval.low; }
+  bool poorly_known() const {
+    return interval.open_below || interval.open_above || interval.high > 2 * interval.low;
+  }
 };
 
 struct Correlation {
@@ -58,10 +60,12 @@ struct FitSummary {
   bool profiled;
 };
 
-/// `profile`: intervals by profile likelihood, else from standard errors. A better fit found on the way replaces fit.best.
+/// `profile`: intervals by profile likelihood, else from standard errors. A better fit found on the way
+/// replaces fit.best.
 FitSummary summarize(const Engine& engine, const FitProblem& problem, Fit fit, bool profile);
 
-/// Why a fit is not to be used, in words for everybody; empty where nothing speaks against it. The first line of what follows.
+/// Why a fit is not to be used, in words for everybody; empty where nothing speaks against it. The first line
+/// of what follows.
 std::string verdict(const FitProblem& problem, const FitSummary& summary);
 
 /// The table on standard output.
@@ -76,6 +80,7 @@ struct MaterialHeading {
 };
 
 /// The material file (TOML), with the statistics as comments.
-std::string material_text(const FitProblem& problem, const FitSummary& summary, const MaterialHeading& heading);
+std::string material_text(const FitProblem& problem, const FitSummary& summary,
+                          const MaterialHeading& heading);
 
 }  // namespace brdftab

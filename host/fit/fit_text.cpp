@@ -5,9 +5,9 @@
 #include <array>
 #include <cmath>
 
+#include "host/base/numbers.hpp"
 #include "host/fit/fit_summary.hpp"
 #include "host/model/measurement/measured_light.hpp"
-#include "host/base/numbers.hpp"
 #include "host/model/variant.hpp"
 
 namespace brdftab {
@@ -15,8 +15,8 @@ namespace {
 
 // A factor below this is not worth a measurement.
 constexpr double worthwhile_gain = 1.2;
-// Rms of ln(model/data) from which on a fit is bad, and where parameters besides end where no surface lies. Nine public
-// measurements of real surfaces end between 0.01 and 0.35.
+// Rms of ln(model/data) from which on a fit is bad, and where parameters besides end where no surface lies.
+// Nine public measurements of real surfaces end between 0.01 and 0.35.
 constexpr double bad_rms = 0.5, bad_rms_at_bounds = 0.3;
 // Noise alone brings no larger reduced chi-square.
 constexpr double chi_square_of_noise = 4;
@@ -51,30 +51,33 @@ std::string data_range(const FitProblem& problem) {
       low_f = std::min(low_f, sample.brdf);
       high_f = std::max(high_f, sample.brdf);
     }
-  return fmt::format("{} samples, theta_i {} to {} degrees, theta_s {} to {} degrees, f {:.4g} to {:.4g} 1/sr", problem.samples(),
-                     shortest(low_i), shortest(high_i), shortest(low_s), shortest(high_s), low_f, high_f);
+  return fmt::format(
+      "{} samples, theta_i {} to {} degrees, theta_s {} to {} degrees, f {:.4g} to {:.4g} 1/sr",
+      problem.samples(), shortest(low_i), shortest(high_i), shortest(low_s), shortest(high_s), low_f, high_f);
 }
 
 std::string search_line(const FitSummary& summary) {
   const Fit& fit = summary.fit;
-  return fmt::format("{} starts, {} converged, {} of them within 1 % of the best rms{}", fit.starts, fit.converged, fit.reached,
+  return fmt::format("{} starts, {} converged, {} of them within 1 % of the best rms{}", fit.starts,
+                     fit.converged, fit.reached,
                      fit.best.converged ? "" : "; the best was still descending along a flat valley");
 }
 
 std::string rms_text(const FitProblem& problem, const FitSummary& summary) {
   std::string of_some;
   if (summary.log_rms.samples < problem.samples())
-    of_some = fmt::format(" over the {} of {} samples above {} 1/sr", summary.log_rms.samples, problem.samples(),
-                          shortest(problem.options().floor));
+    of_some = fmt::format(" over the {} of {} samples above {} 1/sr", summary.log_rms.samples,
+                          problem.samples(), shortest(problem.options().floor));
   if (summary.log_rms.samples == 0) return fmt::format("rms of ln(model/data){}: none", of_some);
-  return fmt::format("rms of ln(model/data){}, all samples alike: {:.4g}, each incidence alike: {:.4g}", of_some,
-                     summary.log_rms.of_samples, summary.log_rms.of_incidences);
+  return fmt::format("rms of ln(model/data){}, all samples alike: {:.4g}, each incidence alike: {:.4g}",
+                     of_some, summary.log_rms.of_samples, summary.log_rms.of_incidences);
 }
 
 std::string left_out_text(const FitProblem& problem) {
-  std::string text =
-      fmt::format("left out: {} samples beyond {} degrees", problem.beyond_max_theta(), shortest(problem.options().max_theta));
-  if (problem.options().take_sigma()) return text + "; none for its value, zero and negative readings are kept";
+  std::string text = fmt::format("left out: {} samples beyond {} degrees", problem.beyond_max_theta(),
+                                 shortest(problem.options().max_theta));
+  if (problem.options().take_sigma())
+    return text + "; none for its value, zero and negative readings are kept";
   return text + fmt::format(", {} below {} 1/sr", problem.below_floor(), shortest(problem.options().floor));
 }
 
@@ -90,9 +93,11 @@ std::string residuals_text(const FitProblem& problem, const FitSummary& summary)
     return text + (options.weights == FitWeights::aoi ? ", each incidence alike" : ", all samples alike");
   text += options.noise ? ", " + noise_text(*problem.noise(), *options.noise) : ", sigma given with the data";
   const double reduced = summary.linear.reduced_chi_square;
-  return text + fmt::format("; reduced chi-square {:.3g} of {} samples, {} degrees of freedom: standard errors are {}", reduced,
-                            problem.samples(), summary.linear.degrees_of_freedom,
-                            reduced > 1 ? "scaled by its root" : "those of sigma");
+  return text +
+         fmt::format(
+             "; reduced chi-square {:.3g} of {} samples, {} degrees of freedom: standard errors are {}",
+             reduced, problem.samples(), summary.linear.degrees_of_freedom,
+             reduced > 1 ? "scaled by its root" : "those of sigma");
 }
 
 std::string_view light_words(const FitProblem& problem) {
@@ -101,7 +106,8 @@ std::string_view light_words(const FitProblem& problem) {
 }
 
 std::string incidence_text(const IncidenceFit& at, std::string_view to) {
-  return at.first == at.last ? shortest(at.theta_i) : fmt::format("{}{}{}", shortest(at.first), to, shortest(at.last));
+  return at.first == at.last ? shortest(at.theta_i)
+                             : fmt::format("{}{}{}", shortest(at.first), to, shortest(at.last));
 }
 
 // TOML takes digits after a point, and no point alone.
@@ -120,17 +126,19 @@ std::string toml_string(std::string_view text) {
   return result + '"';
 }
 
-std::string parameter_line(const FitSummary& summary, const FitProblem& problem, std::size_t band, std::size_t parameter) {
+std::string parameter_line(const FitSummary& summary, const FitProblem& problem, std::size_t band,
+                           std::size_t parameter) {
   const ParameterRow& row = parameter_table[parameter];
   std::string line = fmt::format("{} = {:.8g}", row.name, summary.bands[band].*row.member);
   for (std::size_t v = 0; v < summary.variables.size(); ++v) {
     const FitVariable& variable = problem.variables()[v];
-    if (variable.parameter != parameter || std::find(variable.bands.begin(), variable.bands.end(), band) == variable.bands.end())
+    if (variable.parameter != parameter ||
+        std::find(variable.bands.begin(), variable.bands.end(), band) == variable.bands.end())
       continue;
     const FittedVariable& fitted = summary.variables[v];
     const std::string words = flags(fitted);
-    return fmt::format("{:<28} # 95 %: {}; bounds {}{}{}", line, interval_text(fitted), range(variable.minimum, variable.maximum),
-                       words.empty() ? "" : "; ", words);
+    return fmt::format("{:<28} # 95 %: {}; bounds {}{}{}", line, interval_text(fitted),
+                       range(variable.minimum, variable.maximum), words.empty() ? "" : "; ", words);
   }
   return fmt::format("{:<28} # fixed", line);
 }
@@ -147,8 +155,10 @@ std::string verdict(const FitProblem& problem, const FitSummary& summary) {
         at_bounds.push_back(fmt::format("{} = {:.4g}", variable.name, variable.value));
   if (!(rms > bad_rms) && !(rms > bad_rms_at_bounds && !at_bounds.empty())) return {};
   return fmt::format(
-      "bad fit, not to be used as it is: model and data differ by a factor of {:.2g} (rms of ln(model/data) {:.2g}), where real "
-      "surfaces are met within 1.01 to 1.4{}; look at the file's units (--scale), azimuths (--flip-azimuth), light "
+      "bad fit, not to be used as it is: model and data differ by a factor of {:.2g} (rms of ln(model/data) "
+      "{:.2g}), where real "
+      "surfaces are met within 1.01 to 1.4{}; look at the file's units (--scale), azimuths (--flip-azimuth), "
+      "light "
       "(--polarization) and outliers (--loss cauchy), and try more --starts",
       std::exp(rms), rms,
       at_bounds.empty() ? ""
@@ -166,9 +176,10 @@ std::string summary_text(const FitProblem& problem, const FitSummary& summary) {
   text += fmt::format("{:<20} {:>12} {:>12}   {:<26} {}\n", "parameter", "value", "std. error",
                       summary.profiled ? "95 % interval (profile)" : "95 % interval (linear)", "");
   for (const FittedVariable& variable : summary.variables)
-    text += fmt::format("{:<20} {:>12.5g} {:>12}   {:<26} {}\n", variable.name, variable.value,
-                        std::isnan(variable.standard_error) ? "-" : fmt::format("{:.2g}", variable.standard_error),
-                        interval_text(variable), flags(variable));
+    text += fmt::format(
+        "{:<20} {:>12.5g} {:>12}   {:<26} {}\n", variable.name, variable.value,
+        std::isnan(variable.standard_error) ? "-" : fmt::format("{:.2g}", variable.standard_error),
+        interval_text(variable), flags(variable));
   for (std::size_t p = 0; p < parameter_table.size(); ++p)
     if (problem.options().choices[p].fixed)
       text += fmt::format("{:<20} {:>12.5g} {:>12}   {:<26} fixed\n", parameter_table[p].name,
@@ -178,21 +189,23 @@ std::string summary_text(const FitProblem& problem, const FitSummary& summary) {
   const bool together = std::any_of(summary.incidences.begin(), summary.incidences.end(),
                                     [](const IncidenceFit& at) { return at.first != at.last; });
   if (together)
-    text +=
-        fmt::format("  {} angles of incidence, neighbouring ones in one line; DHR at their mean\n", problem.incidences().size());
+    text += fmt::format("  {} angles of incidence, neighbouring ones in one line; DHR at their mean\n",
+                        problem.incidences().size());
   for (const IncidenceFit& at : summary.incidences)
     text += fmt::format("  {}theta_i = {:<{}} {:.4g}   ({} samples)   DHR {:.4g}\n",
-                        problem.bands().size() > 1 ? at.channel + " " : "", incidence_text(at, " to "), together ? 16 : 8, at.rms,
-                        at.samples, at.dhr);
-  text += fmt::format("condition number of J^T J, columns of unit length: {:.2g}\n", summary.linear.condition);
+                        problem.bands().size() > 1 ? at.channel + " " : "", incidence_text(at, " to "),
+                        together ? 16 : 8, at.rms, at.samples, at.dhr);
+  text +=
+      fmt::format("condition number of J^T J, columns of unit length: {:.2g}\n", summary.linear.condition);
   if (!summary.correlations.empty()) text += "strongest correlations\n";
   for (const Correlation& pair : summary.correlations)
     text += fmt::format("  {:<20} {:<20} {:+.4f}\n", pair.first, pair.second, pair.value);
   if (!summary.sufficiency.empty()) text += "poorly known, and what would tell\n";
   for (const Sufficiency& entry : summary.sufficiency) {
     const std::string& name = summary.variables[entry.variable].name;
-    text += fmt::format("  {} is seen by theta_i = {} to {} degrees (9/10 of what the data say of it alone); ", name,
-                        shortest(entry.seen_from), shortest(entry.seen_to));
+    text +=
+        fmt::format("  {} is seen by theta_i = {} to {} degrees (9/10 of what the data say of it alone); ",
+                    name, shortest(entry.seen_from), shortest(entry.seen_to));
     if (entry.gain < worthwhile_gain)
       text += "no in-plane scan would tell it much better\n";
     else
@@ -202,12 +215,14 @@ std::string summary_text(const FitProblem& problem, const FitSummary& summary) {
   return text;
 }
 
-std::string material_text(const FitProblem& problem, const FitSummary& summary, const MaterialHeading& heading) {
+std::string material_text(const FitProblem& problem, const FitSummary& summary,
+                          const MaterialHeading& heading) {
   const FitOptions& options = problem.options();
   std::string text;
   if (const std::string bad = verdict(problem, summary); !bad.empty()) text += fmt::format("# {}\n", bad);
   text += fmt::format("name = {}\n", toml_string(heading.name));
-  if (!heading.description.empty()) text += fmt::format("description = {}\n", toml_string(heading.description));
+  if (!heading.description.empty())
+    text += fmt::format("description = {}\n", toml_string(heading.description));
   text += fmt::format("source = {}\n\n", toml_string(heading.source));
   text += fmt::format("# {}\n", heading.command);
   text += fmt::format("# {}\n# {}\n", rms_text(problem, summary), residuals_text(problem, summary));
@@ -218,19 +233,24 @@ std::string material_text(const FitProblem& problem, const FitSummary& summary, 
   text += fmt::format("# light: {}; {}\n", light_words(problem), left_out_text(problem));
   if (summary.low_readings) text += fmt::format("# warning: {}\n", text_of(*summary.low_readings, options));
   if (problem.bands().size() == 1) {
-    text += options.take_sigma() ? fmt::format("# rms of {} by theta_i:", misfit_name(problem)) : "# rms by theta_i:";
-    for (const IncidenceFit& at : summary.incidences) text += fmt::format(" {}: {:.3g}", incidence_text(at, "-"), at.rms);
+    text += options.take_sigma() ? fmt::format("# rms of {} by theta_i:", misfit_name(problem))
+                                 : "# rms by theta_i:";
+    for (const IncidenceFit& at : summary.incidences)
+      text += fmt::format(" {}: {:.3g}", incidence_text(at, "-"), at.rms);
     text += "\n# DHR by theta_i:";
-    for (const IncidenceFit& at : summary.incidences) text += fmt::format(" {}: {:.3g}", shortest(at.theta_i), at.dhr);
+    for (const IncidenceFit& at : summary.incidences)
+      text += fmt::format(" {}: {:.3g}", shortest(at.theta_i), at.dhr);
     text += "\n";
   }
   text += "\n[parameters]\n";
-  for (std::size_t p = 0; p < parameter_table.size(); ++p) text += parameter_line(summary, problem, 0, p) + "\n";
+  for (std::size_t p = 0; p < parameter_table.size(); ++p)
+    text += parameter_line(summary, problem, 0, p) + "\n";
   std::string model;
-  for (const SwitchRow& row : switch_table()) {
-    const auto choice = choice_name(row, options.switches);
+  for (const VariantRow& row : variant_table()) {
+    const auto choice = choice_name(row, options.variant);
     if (choice != row.choices.front())
-      model += fmt::format("{} = {}\n", row.name, row.is_boolean() ? std::string(choice) : toml_string(choice));
+      model +=
+          fmt::format("{} = {}\n", row.name, row.is_boolean() ? std::string(choice) : toml_string(choice));
   }
   if (!model.empty()) text += "\n[model]\n" + model;
   if (problem.bands().size() > 1)

@@ -1,7 +1,8 @@
 #include "host/fit/fit_uncertainty.hpp"
 
-#include <algorithm>
 #include <boost/math/distributions/students_t.hpp>
+
+#include <algorithm>
 #include <cmath>
 
 namespace brdftab {
@@ -33,13 +34,15 @@ LinearUncertainty linear_uncertainty(const FitProblem& problem, const Minimum& b
   LinearUncertainty result{};
   for (std::size_t v = 0; v < variables.size(); ++v) {
     const double x = variables[v].from_solver(best.u[v]);
-    if (!variables[v].at_minimum(x) && !variables[v].at_maximum(x) && whole.col(static_cast<Eigen::Index>(v)).norm() > 1e-9)
+    if (!variables[v].at_minimum(x) && !variables[v].at_maximum(x) &&
+        whole.col(static_cast<Eigen::Index>(v)).norm() > 1e-9)
       result.active.push_back(v);
   }
   const auto count = static_cast<Eigen::Index>(result.active.size());
   result.degrees_of_freedom = values.values.size() - std::min(result.active.size(), values.values.size() - 1);
   result.reduced_chi_square = values.cost / static_cast<double>(result.degrees_of_freedom);
-  result.variance = problem.options().take_sigma() ? std::max(result.reduced_chi_square, 1.) : result.reduced_chi_square;
+  result.variance =
+      problem.options().take_sigma() ? std::max(result.reduced_chi_square, 1.) : result.reduced_chi_square;
   result.jacobian.resize(rows, count);
   for (Eigen::Index a = 0; a < count; ++a)
     result.jacobian.col(a) = whole.col(static_cast<Eigen::Index>(result.active[static_cast<std::size_t>(a)]));
@@ -54,8 +57,8 @@ LinearUncertainty linear_uncertainty(const FitProblem& problem, const Minimum& b
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(r, Eigen::ComputeFullV);
   const Eigen::VectorXd singular = svd.singularValues().cwiseMax(smallest_singular * svd.singularValues()[0]);
   result.condition = std::pow(singular[0] / singular[count - 1], 2);
-  const Eigen::MatrixXd factor =
-      lengths.cwiseInverse().asDiagonal() * svd.matrixV() * singular.cwiseInverse().asDiagonal() * std::sqrt(result.variance);
+  const Eigen::MatrixXd factor = lengths.cwiseInverse().asDiagonal() * svd.matrixV() *
+                                 singular.cwiseInverse().asDiagonal() * std::sqrt(result.variance);
   result.covariance = factor * factor.transpose();
   return result;
 }
@@ -64,13 +67,15 @@ std::vector<double> freedom(const LinearUncertainty& linear) {
   // The covariance is variance (J^T J)^-1.
   std::vector<double> result(static_cast<std::size_t>(linear.jacobian.rows()), 1.);
   if (linear.active.empty()) return result;
-  const Eigen::VectorXd leverage = (linear.jacobian * linear.covariance).cwiseProduct(linear.jacobian).rowwise().sum();
+  const Eigen::VectorXd leverage =
+      (linear.jacobian * linear.covariance).cwiseProduct(linear.jacobian).rowwise().sum();
   for (Eigen::Index k = 0; k < leverage.size(); ++k)
     result[static_cast<std::size_t>(k)] = std::clamp(1 - leverage[k] / linear.variance, 0., 1.);
   return result;
 }
 
-std::vector<Interval95> linear_intervals(const FitProblem& problem, const Minimum& best, const LinearUncertainty& linear) {
+std::vector<Interval95> linear_intervals(const FitProblem& problem, const Minimum& best,
+                                         const LinearUncertainty& linear) {
   const double t = student_95(linear.degrees_of_freedom);
   std::vector<Interval95> result;
   for (std::size_t v = 0; v < problem.variables().size(); ++v) {
@@ -81,7 +86,8 @@ std::vector<Interval95> linear_intervals(const FitProblem& problem, const Minimu
     const bool open_below = best.u[v] - reach <= low;
     const bool open_above = best.u[v] + reach >= high;
     result.push_back({open_below ? variable.minimum : variable.from_solver(best.u[v] - reach),
-                      open_above ? variable.maximum : variable.from_solver(best.u[v] + reach), open_below, open_above});
+                      open_above ? variable.maximum : variable.from_solver(best.u[v] + reach), open_below,
+                      open_above});
   }
   return result;
 }

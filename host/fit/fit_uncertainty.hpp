@@ -2,17 +2,18 @@
 #pragma once
 
 #include <Eigen/Dense>
+
 #include <vector>
 
 #include "host/fit/minimizer.hpp"
 
 namespace brdftab {
 
-/// From the derivatives at the minimum. Variables at a bound, and those that the residuals do not depend on, are left out:
-/// the solver's bounds know no covariance.
+/// From the derivatives at the minimum. Variables at a bound, and those that the residuals do not depend on,
+/// are left out: the solver's bounds know no covariance.
 struct LinearUncertainty {
-  /// Variance of a residual of weight 1: cost over degrees of freedom. In units of sigma it is at least 1: a given sigma is
-  /// believed, unless the misfit is larger.
+  /// Variance of a residual of weight 1: cost over degrees of freedom. In units of sigma it is at least 1: a
+  /// given sigma is believed, unless the misfit is larger.
   double variance;
   double reduced_chi_square;
   std::size_t degrees_of_freedom;
@@ -40,12 +41,14 @@ struct Interval95 {
   bool open_above;
 };
 
-/// By profile likelihood: each variable is moved away from the best, the others follow, until the cost has risen by
-/// variance * t^2 (t: Student's, 97.5 %). Where a lower cost turns up on the way, `best` becomes it and all is repeated.
+/// By profile likelihood: each variable is moved away from the best, the others follow, until the cost has
+/// risen by variance * t^2 (t: Student's, 97.5 %). Where a lower cost turns up on the way, `best` becomes it
+/// and all is repeated.
 std::vector<Interval95> profile_intervals(const FitProblem& problem, Minimum& best);
 
 /// From standard errors alone, in the solver's variables, cut at the bounds.
-std::vector<Interval95> linear_intervals(const FitProblem& problem, const Minimum& best, const LinearUncertainty& linear);
+std::vector<Interval95> linear_intervals(const FitProblem& problem, const Minimum& best,
+                                         const LinearUncertainty& linear);
 
 /// Student's 97.5 % quantile.
 double student_95(std::size_t degrees_of_freedom);

@@ -20,16 +20,20 @@ struct Assignment {
 Assignment assignment(const std::string& option, const std::string& text) {
   const auto equals = text.find('=');
   const std::string name(trimmed(std::string_view(text).substr(0, equals)));
-  const auto row = std::find_if(parameter_table.begin(), parameter_table.end(), [&](const auto& r) { return r.name == name; });
+  const auto row = std::find_if(parameter_table.begin(), parameter_table.end(),
+                                [&](const auto& r) { return r.name == name; });
   if (equals == std::string::npos || row == parameter_table.end())
-    throw BadInput("{} {}: must be PARAMETER=..., with a parameter that `brdftab parameters` lists", option, excerpt(text));
+    throw BadInput("{} {}: must be PARAMETER=..., with a parameter that `brdftab parameters` lists", option,
+                   excerpt(text));
   return {static_cast<std::size_t>(row - parameter_table.begin()), text.substr(equals + 1)};
 }
 
-double number(const std::string& option, const std::string& text, std::string_view value, const ParameterRow& row) {
+double number(const std::string& option, const std::string& text, std::string_view value,
+              const ParameterRow& row) {
   const auto parsed = parse_number(value);
   if (!parsed || !(*parsed >= row.minimum && *parsed <= row.maximum))
-    throw BadInput("{} {}: {} must be a number from {} to {}", option, excerpt(text), row.name, row.minimum, row.maximum);
+    throw BadInput("{} {}: {} must be a number from {} to {}", option, excerpt(text), row.name, row.minimum,
+                   row.maximum);
   return *parsed;
 }
 
@@ -54,12 +58,15 @@ void bound_parameter(std::vector<ParameterChoice>& choices, const std::string& t
   auto& choice = choices[parameter];
   choice.minimum = number("--bounds", text, std::string_view(value).substr(0, colon), row);
   choice.maximum = number("--bounds", text, std::string_view(value).substr(colon + 1), row);
-  if (!(choice.minimum < choice.maximum)) throw BadInput("--bounds {}: LOW must be below HIGH", excerpt(text));
+  if (!(choice.minimum < choice.maximum))
+    throw BadInput("--bounds {}: LOW must be below HIGH", excerpt(text));
 }
 
 double FitVariable::scale() const { return scales[parameter]; }
 
-double FitVariable::to_solver(double value) const { return scale() > 0 ? std::asinh(value / scale()) : std::log(value); }
+double FitVariable::to_solver(double value) const {
+  return scale() > 0 ? std::asinh(value / scale()) : std::log(value);
+}
 
 double FitVariable::from_solver(double u) const {
   return std::clamp(scale() > 0 ? scale() * std::sinh(u) : std::exp(u), minimum, maximum);

@@ -25,7 +25,8 @@ std::vector<ParameterChoice> default_choices();
 void fix_parameter(std::vector<ParameterChoice>& choices, const std::string& text);
 void bound_parameter(std::vector<ParameterChoice>& choices, const std::string& text);
 
-/// Its solver's variable is ln x where x > 0, and asinh(x/scale) where x may be 0: linear below the scale, logarithmic above.
+/// Its solver's variable is ln x where x > 0, and asinh(x/scale) where x may be 0: linear below the scale,
+/// logarithmic above.
 struct FitVariable {
   std::size_t parameter;
   /// Bands that share it.

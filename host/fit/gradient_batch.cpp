@@ -5,8 +5,6 @@
 #include <chrono>
 #include <thread>
 
-#include "host/base/interrupt.hpp"
-
 namespace brdftab {
 namespace {
 
@@ -15,7 +13,8 @@ thread_local bool is_gathered = false;
 
 }  // namespace
 
-void GradientBatch::run(std::size_t count, std::size_t at_once, const std::function<void(std::size_t)>& work) {
+void GradientBatch::run(std::size_t count, std::size_t at_once,
+                        const std::function<void(std::size_t)>& work) {
   std::atomic<std::size_t> next = 0;
   std::exception_ptr first;
   const std::size_t threads = std::min(count, at_once);
@@ -72,7 +71,8 @@ std::vector<BandValues> GradientBatch::evaluate(std::span<const Parameters> band
   return std::move(request.result);
 }
 
-std::vector<std::vector<BandValues>> GradientBatch::evaluate_all(std::span<const std::vector<Parameters>> requests) {
+std::vector<std::vector<BandValues>> GradientBatch::evaluate_all(
+    std::span<const std::vector<Parameters>> requests) {
   std::vector<Request> all;
   for (const auto& bands : requests) all.push_back({.bands = bands, .result = {}, .error = {}});
   std::vector<Request*> pointers;
@@ -89,13 +89,13 @@ std::vector<std::vector<BandValues>> GradientBatch::evaluate_all(std::span<const
 void GradientBatch::launch(std::vector<Request*> requests) {
   const auto start = std::chrono::steady_clock::now();
   try {
-    stop_if_interrupted();
+    if (!bands_.empty()) bands_.front().watch().stop_if_asked();
     for (std::size_t b = 0; b < bands_.size(); ++b) {
       std::vector<Parameters> materials;
       for (const Request* request : requests) materials.push_back(request->bands[b]);
       LogBrdfValues all = bands_[b].evaluate(materials);
-      const auto values =
-          std::make_shared<const LogBrdfValues>(mean_of_exchanges_ ? all.mean_of_exchanges(materials.size()) : std::move(all));
+      const auto values = std::make_shared<const LogBrdfValues>(
+          mean_of_exchanges_ ? all.mean_of_exchanges(materials.size()) : std::move(all));
       for (std::size_t k = 0; k < requests.size(); ++k) requests[k]->result.push_back({values, k});
     }
   } catch (...) {

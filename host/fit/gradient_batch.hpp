@@ -23,17 +23,18 @@ struct BandValues {
 
 class GradientBatch {
  public:
-  /// One list of directions for each band. `mean_of_exchanges`: the lists are by `with_exchanges`, and values become ln of the
-  /// mean of f(i, s) and f(s, i), and its derivatives.
+  /// One list of directions for each band. `mean_of_exchanges`: the lists are by `with_exchanges`, and values
+  /// become ln of the mean of f(i, s) and f(s, i), and its derivatives.
   explicit GradientBatch(std::vector<LogBrdfGradients> bands, bool mean_of_exchanges = false)
       : bands_(std::move(bands)), mean_of_exchanges_(mean_of_exchanges) {}
 
-  /// Calls work(0) ... work(count - 1), each in a thread of its own, `at_once` of them at a time; rethrows the first
-  /// exception.
+  /// Calls work(0) ... work(count - 1), each in a thread of its own, `at_once` of them at a time; rethrows
+  /// the first exception.
   void run(std::size_t count, std::size_t at_once, const std::function<void(std::size_t)>& work);
 
-  /// One parameter set for each band. In a thread of `run` it waits until every other thread there asks too or has ended,
-  /// so that one launch serves all; elsewhere it evaluates at once. Results do not depend on the company.
+  /// One parameter set for each band. In a thread of `run` it waits until every other thread there asks too
+  /// or has ended, so that one launch serves all; elsewhere it evaluates at once. Results do not depend on
+  /// the company.
   std::vector<BandValues> evaluate(std::span<const Parameters> bands);
   /// Several such requests together.
   std::vector<std::vector<BandValues>> evaluate_all(std::span<const std::vector<Parameters>> requests);

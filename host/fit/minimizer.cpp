@@ -47,7 +47,8 @@ class FitResiduals : public ceres::CostFunction {
 
 }  // namespace
 
-Minimum minimize(const FitProblem& problem, std::vector<double> start, const Patience& patience, const std::vector<bool>& held) {
+Minimum minimize(const FitProblem& problem, std::vector<double> start, const Patience& patience,
+                 const std::vector<bool>& held) {
   // A step that leaves the model's numbers is shortened; nobody needs to read of it.
   static const bool silenced = [] {
     FLAGS_minloglevel = google::GLOG_FATAL;
@@ -61,7 +62,8 @@ Minimum minimize(const FitProblem& problem, std::vector<double> start, const Pat
   if (active.empty()) return {start, problem.residuals(start).cost, true, 0};
   std::vector<double> x;
   for (const std::size_t v : active)
-    x.push_back(std::clamp(start[v], variables[v].to_solver(variables[v].minimum), variables[v].to_solver(variables[v].maximum)));
+    x.push_back(std::clamp(start[v], variables[v].to_solver(variables[v].minimum),
+                           variables[v].to_solver(variables[v].maximum)));
 
   ceres::Problem solver;
   solver.AddResidualBlock(new FitResiduals(problem, start, active), nullptr, x.data());
@@ -71,7 +73,8 @@ Minimum minimize(const FitProblem& problem, std::vector<double> start, const Pat
     solver.SetParameterUpperBound(x.data(), static_cast<int>(a), v.to_solver(v.maximum));
   }
   ceres::Solver::Options options;
-  options.linear_solver_type = active.size() < many_variables ? ceres::DENSE_QR : ceres::DENSE_NORMAL_CHOLESKY;
+  options.linear_solver_type =
+      active.size() < many_variables ? ceres::DENSE_QR : ceres::DENSE_NORMAL_CHOLESKY;
   options.max_num_iterations = patience.iterations;
   options.function_tolerance = patience.tolerance;
   options.gradient_tolerance = 1e-14;
@@ -83,7 +86,8 @@ Minimum minimize(const FitProblem& problem, std::vector<double> start, const Pat
   Minimum minimum{std::move(start), 2 * summary.final_cost, summary.termination_type == ceres::CONVERGENCE,
                   static_cast<int>(summary.iterations.size())};
   for (std::size_t a = 0; a < active.size(); ++a) minimum.u[active[a]] = x[a];
-  if (!summary.IsSolutionUsable() || summary.final_cost < 0) minimum.cost = std::numeric_limits<double>::infinity();
+  if (!summary.IsSolutionUsable() || summary.final_cost < 0)
+    minimum.cost = std::numeric_limits<double>::infinity();
   return minimum;
 }
 

@@ -1,7 +1,8 @@
 #include "host/fit/noise_model.hpp"
 
-#include <algorithm>
 #include <boost/math/tools/minima.hpp>
+
+#include <algorithm>
 #include <cmath>
 
 #include "host/base/error.hpp"
@@ -11,7 +12,8 @@ namespace brdftab {
 namespace {
 
 constexpr std::string_view allowed =
-    "must be RELATIVE,FLOOR, the relative noise as 2% or 0.02 and the constant one in 1/sr above 0, either of them or both "
+    "must be RELATIVE,FLOOR, the relative noise as 2% or 0.02 and the constant one in 1/sr above 0, either "
+    "of them or both "
     "`estimated`";
 // The search for a logarithm: a grid of this many points, of which the best is refined.
 constexpr int grid_points = 64;
@@ -24,7 +26,8 @@ std::optional<double> part(const std::string& text, std::string_view word, bool 
   const bool is_percent = may_be_percent && word.ends_with('%');
   if (is_percent) word.remove_suffix(1);
   const auto value = parse_number(trimmed(word));
-  if (!value || !std::isfinite(*value) || *value < 0) throw BadInput("--noise {}: {}", excerpt(text), allowed);
+  if (!value || !std::isfinite(*value) || *value < 0)
+    throw BadInput("--noise {}: {}", excerpt(text), allowed);
   return is_percent ? *value / 100 : *value;
 }
 
@@ -73,8 +76,8 @@ NoiseChoice noise_choice(const std::string& text) {
   return choice;
 }
 
-NoiseModel estimated_noise(const NoiseChoice& choice, std::span<const double> f, std::span<const double> errors,
-                           std::span<const double> freedom) {
+NoiseModel estimated_noise(const NoiseChoice& choice, std::span<const double> f,
+                           std::span<const double> errors, std::span<const double> freedom) {
   if (choice.is_given()) return {*choice.relative, *choice.floor};
   const Samples samples{f, errors, freedom};
   double free = 0, largest = 0, smallest = HUGE_VAL, squares = 0;
@@ -108,8 +111,9 @@ NoiseModel estimated_noise(const NoiseChoice& choice, std::span<const double> f,
 
 std::string noise_text(const NoiseModel& noise, const NoiseChoice& choice) {
   const auto how = [](bool given) { return given ? "given" : "estimated"; };
-  return fmt::format("sigma^2 = (a f)^2 + b^2 with f of the model, a = {:.4g} {}, b = {:.4g} 1/sr {}", noise.relative,
-                     how(choice.relative.has_value()), noise.floor, how(choice.floor.has_value()));
+  return fmt::format("sigma^2 = (a f)^2 + b^2 with f of the model, a = {:.4g} {}, b = {:.4g} 1/sr {}",
+                     noise.relative, how(choice.relative.has_value()), noise.floor,
+                     how(choice.floor.has_value()));
 }
 
 }  // namespace brdftab

@@ -1,12 +1,13 @@
-// netCDF for Eradiate's MQDiffuseBSDF: one band of isotropic f over two cosines and the difference of azimuths.
+// netCDF for Eradiate's MQDiffuseBSDF: one band of isotropic f over two cosines and the difference of
+// azimuths.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "host/base/error.hpp"
-#include "host/formats/registry.hpp"
 #include "host/formats/export/grid_samples.hpp"
 #include "host/formats/hdf5/hdf5_file.hpp"
+#include "host/formats/registry.hpp"
 #include "host/table/table_attributes.hpp"
 
 namespace brdftab {
@@ -17,7 +18,8 @@ constexpr std::array<const char*, 3> dimensions{"cos_theta_o", "phi_d", "cos_the
 constexpr std::string_view hdf5_signature = "\x89HDF";
 
 constexpr std::string_view directions_text =
-    "Unit vectors to the light (i) and to the viewer (o), both away from the surface; phi_d is the difference of their azimuths: "
+    "Unit vectors to the light (i) and to the viewer (o), both away from the surface; phi_d is the "
+    "difference of their azimuths: "
     "the mirror direction is cos_theta_o = cos_theta_i, phi_d = pi, and retro-reflection is phi_d = 0.";
 constexpr std::string_view grazing_text =
     "The model ends before 90 degrees; nodes at a cosine of 0 hold f at half the cosine of the next node.";
@@ -35,10 +37,12 @@ std::vector<double> polar_angles(const std::vector<double>& places) {
   return theta;
 }
 
-class EradiateTable : public ExportedTable {
+class EradiateReader : public ExportReader {
  public:
-  EradiateTable(GridSamples samples, std::string material_text, std::vector<double> wavelengths_nm)
-      : samples_(std::move(samples)), material_text_(std::move(material_text)), wavelengths_nm_(std::move(wavelengths_nm)) {}
+  EradiateReader(GridSamples samples, std::string material_text, std::vector<double> wavelengths_nm)
+      : samples_(std::move(samples)),
+        material_text_(std::move(material_text)),
+        wavelengths_nm_(std::move(wavelengths_nm)) {}
 
   std::vector<std::vector<double>> evaluate(const Directions& directions) const override {
     Directions places = directions;
@@ -48,23 +52,28 @@ class EradiateTable : public ExportedTable {
   }
   std::vector<double> wavelengths_nm() const override { return wavelengths_nm_; }
   std::string material_text() const override { return material_text_; }
-  std::string interpolation() const override { return "linear interpolation in both cosines and in the azimuth"; }
+  std::string interpolation() const override {
+    return "linear interpolation in both cosines and in the azimuth";
+  }
   AngleRange theta_i_range() const override { return range(AxisKind::theta_i); }
   AngleRange theta_s_range() const override { return range(AxisKind::theta_s); }
   AngleRange phi_range() const override { return samples_.phi_range(); }
 
-  std::unique_ptr<ExportedTable> rebuilt(const ExportSource& source, ValueErrors& errors) const override {
+  std::unique_ptr<ExportReader> rebuilt(const ExportModel& source, ValueErrors& errors) const override {
     check_channels(1, source.bands());
-    const auto theta_i = polar_angles(samples_.axis(AxisKind::theta_i)), theta_s = polar_angles(samples_.axis(AxisKind::theta_s));
+    const auto theta_i = polar_angles(samples_.axis(AxisKind::theta_i)),
+               theta_s = polar_angles(samples_.axis(AxisKind::theta_s));
     Directions nodes;
     for (const double i : theta_i)
       for (const double s : theta_s)
         for (const double phi : samples_.axis(AxisKind::phi_s)) nodes.add(i, s, phi);
     auto f = source.evaluate(nodes);
     for (std::size_t k = 0; k < nodes.size(); ++k)
-      errors.compare(samples_.values().front()[k], f.front()[k],
-                     [&] { return fmt::format("{} at {}", channel_name(channels(), source, 0), angles_text(nodes, k)); });
-    return std::make_unique<EradiateTable>(samples_.with_values(std::move(f)), material_text_, wavelengths_nm_);
+      errors.compare(samples_.values().front()[k], f.front()[k], [&] {
+        return fmt::format("{} at {}", channel_name(channels(), source, 0), angles_text(nodes, k));
+      });
+    return std::make_unique<EradiateReader>(samples_.with_values(std::move(f)), material_text_,
+                                            wavelengths_nm_);
   }
 
  private:
@@ -88,16 +97,21 @@ class EradiateFormat : public ExportFormat {
                       .holds_bands = false}) {}
 
   void add_options(CLI::App& group) override {
-    group.add_option("--eradiate-cosines", cosines_, "Nodes in each cosine, from 0 to 1; default 91")->check(CLI::Range(3, 1001));
-    group.add_option("--eradiate-azimuths", azimuths_, "Nodes in the azimuth, from 0 to before 360 degrees; default 180")
+    group.add_option("--eradiate-cosines", cosines_, "Nodes in each cosine, from 0 to 1; default 91")
+        ->check(CLI::Range(3, 1001));
+    group
+        .add_option("--eradiate-azimuths", azimuths_,
+                    "Nodes in the azimuth, from 0 to before 360 degrees; default 180")
         ->check(CLI::Range(4, 3600));
   }
 
-  std::vector<std::string> write(const std::filesystem::path& path, const ExportSource& source) const override {
+  std::vector<std::string> write(const std::filesystem::path& path,
+                                 const ExportModel& source) const override {
     hdf5_quiet();
     std::vector<double> cosines, theta, phi_d;
     for (int k = 0; k < cosines_; ++k) cosines.push_back(static_cast<double>(k) / (cosines_ - 1));
-    for (const double cosine : cosines) theta.push_back(std::acos(cosine > 0 ? cosine : cosines[1] / 2) * degrees);
+    for (const double cosine : cosines)
+      theta.push_back(std::acos(cosine > 0 ? cosine : cosines[1] / 2) * degrees);
     for (int k = 0; k < azimuths_; ++k) phi_d.push_back(2 * std::numbers::pi * k / azimuths_);
     // f is even in the azimuth: the second half turn repeats the first.
     Directions directions;
@@ -108,8 +122,10 @@ class EradiateFormat : public ExportFormat {
     std::vector<float> samples;
     for (std::size_t o = 0; o < cosines.size(); ++o)
       for (int k = 0; k < azimuths_; ++k) {
-        const auto row = o * static_cast<std::size_t>(azimuths_ / 2 + 1) + static_cast<std::size_t>(std::min(k, azimuths_ - k));
-        for (std::size_t i = 0; i < cosines.size(); ++i) samples.push_back(static_cast<float>(half[row * cosines.size() + i]));
+        const auto row = o * static_cast<std::size_t>(azimuths_ / 2 + 1) +
+                         static_cast<std::size_t>(std::min(k, azimuths_ - k));
+        for (std::size_t i = 0; i < cosines.size(); ++i)
+          samples.push_back(static_cast<float>(half[row * cosines.size() + i]));
       }
     Hdf5File file(path, H5F_LIBVER_V18);
     file.write_attributes(attributes(source));
@@ -117,10 +133,11 @@ class EradiateFormat : public ExportFormat {
     file.create_scale(dimensions[1], phi_d, "rad", "difference of the azimuths of light and viewer", "");
     file.create_scale(dimensions[2], cosines, "1", "cosine of the polar angle of the light", "");
     {
-      const Hdf5Handle brdf =
-          file.create_variable("brdf", {dimensions.begin(), dimensions.end()}, H5T_IEEE_F32LE, "sr-1",
-                               "bidirectional reflectance distribution function, unpolarised light", hdf5_dataset_properties());
-      hdf5_check(H5Dwrite(brdf, H5T_NATIVE_FLOAT, H5S_ALL, H5S_ALL, H5P_DEFAULT, samples.data()), path.string());
+      const Hdf5Handle brdf = file.create_variable(
+          "brdf", {dimensions.begin(), dimensions.end()}, H5T_IEEE_F32LE, "sr-1",
+          "bidirectional reflectance distribution function, unpolarised light", hdf5_dataset_properties());
+      hdf5_check(H5Dwrite(brdf, H5T_NATIVE_FLOAT, H5S_ALL, H5S_ALL, H5P_DEFAULT, samples.data()),
+                 path.string());
     }
     file.close();
     return {};
@@ -135,11 +152,12 @@ class EradiateFormat : public ExportFormat {
     return H5Lexists(file, dimensions[0], H5P_DEFAULT) > 0;
   }
 
-  std::unique_ptr<ExportedTable> read(const std::filesystem::path& path) const override {
+  std::unique_ptr<ExportReader> read(const std::filesystem::path& path) const override {
     hdf5_quiet();
     const Hdf5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), path.string() + ": is damaged");
     const auto dataset = [&](const std::string& name) {
-      return Hdf5Handle(H5Dopen2(file, name.c_str(), H5P_DEFAULT), fmt::format("{}: {}", path.string(), name));
+      return Hdf5Handle(H5Dopen2(file, name.c_str(), H5P_DEFAULT),
+                        fmt::format("{}: {}", path.string(), name));
     };
     const auto values = [&](const std::string& name) {
       const Hdf5Handle opened = dataset(name), space(H5Dget_space(opened), name);
@@ -148,11 +166,11 @@ class EradiateFormat : public ExportFormat {
                  fmt::format("{}: {} is damaged", path.string(), name));
       return result;
     };
-    const std::vector<double> cosines_o = values(dimensions[0]), phi_d = values(dimensions[1]), cosines_i = values(dimensions[2]),
-                              brdf = values("brdf");
+    const std::vector<double> cosines_o = values(dimensions[0]), phi_d = values(dimensions[1]),
+                              cosines_i = values(dimensions[2]), brdf = values("brdf");
     if (brdf.size() != cosines_o.size() * phi_d.size() * cosines_i.size())
-      throw BadInput("{}: brdf has {} samples, and its axes {} x {} x {} nodes", path.string(), brdf.size(), cosines_o.size(),
-                     phi_d.size(), cosines_i.size());
+      throw BadInput("{}: brdf has {} samples, and its axes {} x {} x {} nodes", path.string(), brdf.size(),
+                     cosines_o.size(), phi_d.size(), cosines_i.size());
     const auto places = [](const std::vector<double>& cosines) {
       std::vector<double> result;
       for (auto cosine = cosines.rbegin(); cosine != cosines.rend(); ++cosine) result.push_back(1 - *cosine);
@@ -162,23 +180,26 @@ class EradiateFormat : public ExportFormat {
     for (const double azimuth : phi_d) azimuths.push_back(azimuth * degrees - 180);
     for (std::size_t i = cosines_i.size(); i-- > 0;)
       for (std::size_t o = cosines_o.size(); o-- > 0;)
-        for (std::size_t k = 0; k < phi_d.size(); ++k) samples.push_back(brdf[(o * phi_d.size() + k) * cosines_i.size() + i]);
+        for (std::size_t k = 0; k < phi_d.size(); ++k)
+          samples.push_back(brdf[(o * phi_d.size() + k) * cosines_i.size() + i]);
     std::vector<double> wavelengths;
-    const std::string text = has_text_attribute(file, "material") ? read_text_attribute(file, "material") : "";
+    const std::string text =
+        has_text_attribute(file, "material") ? read_text_attribute(file, "material") : "";
     if (H5Aexists(file, "wavelength_nm") > 0) {
       const Hdf5Handle attribute(H5Aopen(file, "wavelength_nm", H5P_DEFAULT), "wavelength_nm");
       hdf5_check(H5Aread(attribute, H5T_NATIVE_DOUBLE, &wavelengths.emplace_back()), "wavelength_nm");
     }
-    return std::make_unique<EradiateTable>(
-        GridSamples({places(cosines_i), {0}, places(cosines_o), std::move(azimuths)}, {std::move(samples)}, path.string()), text,
-        wavelengths);
+    return std::make_unique<EradiateReader>(
+        GridSamples({places(cosines_i), {0}, places(cosines_o), std::move(azimuths)}, {std::move(samples)},
+                    path.string()),
+        text, wavelengths);
   }
 
  private:
-  static std::vector<AttributeInfo> attributes(const ExportSource& source) {
+  static std::vector<AttributeInfo> attributes(const ExportModel& source) {
     std::vector<AttributeInfo> list{{"Conventions", std::string("CF-1.10")},
                                     {"title", fmt::format("BRDF of {}", source.material().name())},
-                                    {"source", std::string(program_source)},
+                                    {"source", std::string(program_version)},
                                     {"references", std::string(paper_reference)},
                                     {"history", source.history()},
                                     {"direction_convention", std::string(directions_text)},

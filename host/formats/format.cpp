@@ -6,8 +6,8 @@
 #include <system_error>
 
 #include "host/base/error.hpp"
-#include "host/formats/registry.hpp"
 #include "host/base/numbers.hpp"
+#include "host/formats/registry.hpp"
 
 namespace brdftab {
 namespace {
@@ -29,7 +29,7 @@ constexpr std::unique_ptr<ExportFormat> (*format_makers[])() = {
 
 }  // namespace
 
-std::vector<std::vector<double>> in_channels(ExportChannels channels, const ExportSource& source,
+std::vector<std::vector<double>> in_channels(ExportChannels channels, const ExportModel& source,
                                              const std::vector<std::vector<double>>& by_band) {
   if (channels == ExportChannels::rgb) return source.rgb(by_band);
   if (channels == ExportChannels::xyz) return source.xyz(by_band);
@@ -40,15 +40,16 @@ void check_channels(std::size_t file, std::size_t material) {
   if (file != material) throw BadInput("the file has {} channels, and its material {}", file, material);
 }
 
-std::string channel_name(ExportChannels channels, const ExportSource& source, std::size_t channel) {
-  if (channels != ExportChannels::bands) return std::string(1, (channels == ExportChannels::rgb ? "RGB" : "XYZ")[channel]);
+std::string channel_name(ExportChannels channels, const ExportModel& source, std::size_t channel) {
+  if (channels != ExportChannels::bands)
+    return std::string(1, (channels == ExportChannels::rgb ? "RGB" : "XYZ")[channel]);
   const auto wavelengths = source.wavelengths_nm();
   return channel < wavelengths.size() ? shortest(wavelengths[channel]) + " nm" : "f";
 }
 
 std::string angles_text(const Directions& directions, std::size_t k) {
-  return fmt::format("theta_i = {:.6g}, theta_s = {:.6g}, phi = {:.6g} degrees", directions.theta_i[k], directions.theta_s[k],
-                     std::remainder(directions.phi[k], 360));
+  return fmt::format("theta_i = {:.6g}, theta_s = {:.6g}, phi = {:.6g} degrees", directions.theta_i[k],
+                     directions.theta_s[k], std::remainder(directions.phi[k], 360));
 }
 
 ExportFormats export_formats() {
@@ -79,8 +80,8 @@ Material read_material_file(const std::filesystem::path& file) {
   if (file != "-" && std::filesystem::is_regular_file(file, error)) {
     const ExportFormats formats = export_formats();
     if (const ExportFormat* format = recognised_format(formats, file))
-      throw BadInput("{}: is a simulator's file ({}); what is taken is a material or a table (hdf5, exr)", file.string(),
-                     format->traits().name);
+      throw BadInput("{}: is a simulator's file ({}); what is taken is a material or a table (hdf5, exr)",
+                     file.string(), format->traits().name);
   }
   return Material::read(file);
 }

@@ -10,14 +10,14 @@
 #include <set>
 
 #include "host/base/error.hpp"
-#include "host/formats/export/export_text.hpp"
-#include "host/formats/registry.hpp"
-#include "host/formats/export/grid_table.hpp"
-#include "host/formats/export/grid_samples.hpp"
 #include "host/base/numbers.hpp"
+#include "host/base/whole_file.hpp"
+#include "host/formats/export/export_text.hpp"
+#include "host/formats/export/grid_reader.hpp"
+#include "host/formats/export/grid_samples.hpp"
+#include "host/formats/registry.hpp"
 #include "host/model/surface_vector.hpp"
 #include "host/table/table_content.hpp"
-#include "host/base/whole_file.hpp"
 
 namespace brdftab {
 namespace {
@@ -34,10 +34,12 @@ class SsddFormat : public ExportFormat {
                       .takes_axes = true}) {}
 
   void add_options(CLI::App& parser) override {
-    parser.add_option("--ssdd-data", data_, "ascii (default), or binary: float32")->check(CLI::IsMember({"ascii", "binary"}));
+    parser.add_option("--ssdd-data", data_, "ascii (default), or binary: float32")
+        ->check(CLI::IsMember({"ascii", "binary"}));
   }
 
-  std::vector<std::string> write(const std::filesystem::path& file, const ExportSource& source) const override {
+  std::vector<std::string> write(const std::filesystem::path& file,
+                                 const ExportModel& source) const override {
     const Grid& grid = source.grid();
     // f is even in phi: half a turn is all of it.
     std::set<double> folded;
@@ -52,8 +54,9 @@ class SsddFormat : public ExportFormat {
 
     fmt::memory_buffer text;
     const auto out = std::back_inserter(text);
-    fmt::format_to(out, "VERSION 0.3\nSOFTWARE {}\n", program_source);
-    for (const auto& line : description_lines(source, ExportChannels::bands)) fmt::format_to(out, "# {}\n", line);
+    fmt::format_to(out, "VERSION 0.3\nSOFTWARE {}\n", program_version);
+    for (const auto& line : description_lines(source, ExportChannels::bands))
+      fmt::format_to(out, "# {}\n", line);
     fmt::format_to(out, "\nDATA_TYPE brdf\n");
     if (wavelengths.empty())
       fmt::format_to(out, "COLOR_MODEL monochrome\n");
@@ -61,14 +64,17 @@ class SsddFormat : public ExportFormat {
       fmt::format_to(out, "COLOR_MODEL spectrum\nWAVELENGTH_LIST {}\n", fmt::join(wavelengths, " "));
     fmt::format_to(out, "PARAM_TYPE spherical_coordinate_system\nREDUCTION_TYPE bilateral_symmetry\n");
     fmt::format_to(out, "PARAM0_LIST {}\nPARAM2_LIST {}\nPARAM3_LIST {}\nSOURCE_TYPE generated\nDATA {}\n",
-                   fmt::join(grid.theta_i.nodes(), " "), fmt::join(grid.theta_s.nodes(), " "), fmt::join(folded, " "), data_);
+                   fmt::join(grid.theta_i.nodes(), " "), fmt::join(grid.theta_s.nodes(), " "),
+                   fmt::join(folded, " "), data_);
     if (data_ == "binary") {
       std::vector<float> values;
       for (std::size_t k = 0; k < directions.size(); ++k)
         for (const auto& band : f) values.push_back(static_cast<float>(band[k]));
       if (begins_a_comment(values))
-        throw BadInput("--ssdd-data binary: these samples begin as a comment does, which readers skip; take ascii");
-      text.append(std::string_view(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(float)));
+        throw BadInput(
+            "--ssdd-data binary: these samples begin as a comment does, which readers skip; take ascii");
+      text.append(
+          std::string_view(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(float)));
     } else {
       for (std::size_t k = 0; k < directions.size(); ++k)
         for (std::size_t band = 0; band < f.size(); ++band)
@@ -82,7 +88,7 @@ class SsddFormat : public ExportFormat {
     return beginning.starts_with("VERSION ");
   }
 
-  std::unique_ptr<ExportedTable> read(const std::filesystem::path& file) const override {
+  std::unique_ptr<ExportReader> read(const std::filesystem::path& file) const override {
     const std::string bytes = read_whole(file);
     std::map<std::string, std::string, std::less<>> entries;
     Description description;
@@ -103,14 +109,15 @@ class SsddFormat : public ExportFormat {
         description.read(entry.substr(1));
       } else if (!entry.empty()) {
         const auto blank = std::min(entry.find(' '), entry.size());
-        entries.insert_or_assign(std::string(entry.substr(0, blank)), std::string(trimmed(entry.substr(blank))));
+        entries.insert_or_assign(std::string(entry.substr(0, blank)),
+                                 std::string(trimmed(entry.substr(blank))));
       }
     }
     const auto expect = [&](std::string_view name, std::string_view wanted) {
       const auto found = entries.find(name);
       if (found == entries.end() || found->second != wanted)
-        throw BadInput("{}: {} {}: must be {}", where(), name, found == entries.end() ? "is missing" : excerpt(found->second),
-                       wanted);
+        throw BadInput("{}: {} {}: must be {}", where(), name,
+                       found == entries.end() ? "is missing" : excerpt(found->second), wanted);
     };
     expect("DATA_TYPE", "brdf");
     expect("PARAM_TYPE", "spherical_coordinate_system");
@@ -155,8 +162,9 @@ class SsddFormat : public ExportFormat {
     std::vector<double> model;
     for (const double azimuth : phi) model.push_back(model_phi(0, azimuth));
     GridSamples table({theta_i, {0}, theta_s, std::move(model)}, std::move(values), file.string());
-    return std::make_unique<GridTable>(std::vector{std::move(table)}, wavelengths, std::move(description.material_text),
-                                       "linear interpolation between nodes, as libbsdf");
+    return std::make_unique<GridReader>(std::vector{std::move(table)}, wavelengths,
+                                        std::move(description.material_text),
+                                        "linear interpolation between nodes, as libbsdf");
   }
 
  private:

@@ -21,10 +21,12 @@ Axis::Axis(AxisKind kind, std::vector<double> nodes) : kind_(kind), nodes_(std::
     throw BadInput("{} has {} nodes: at most {} are allowed", row.name, nodes_.size(), longest_axis);
   for (std::size_t k = 0; k < nodes_.size(); ++k) {
     const double angle = nodes_[k];
-    const bool in_range = angle >= row.minimum && (row.includes_maximum ? angle <= row.maximum : angle < row.maximum);
+    const bool in_range =
+        angle >= row.minimum && (row.includes_maximum ? angle <= row.maximum : angle < row.maximum);
     if (!in_range) throw BadInput("{} must lie in {}; {} does not", row.name, row.range(), shortest(angle));
     if (k > 0 && !(angle > nodes_[k - 1]))
-      throw BadInput("{} must increase strictly; {} follows {}", row.name, shortest(angle), shortest(nodes_[k - 1]));
+      throw BadInput("{} must increase strictly; {} follows {}", row.name, shortest(angle),
+                     shortest(nodes_[k - 1]));
     if (angle == 0) nodes_[k] = 0;  // no -0 in a file
   }
   if (nodes_.back() - nodes_.front() > 360)
@@ -59,12 +61,14 @@ std::vector<double> range_nodes(std::string_view name, std::string_view text) {
   if (stop < start) throw BadInput("{} must increase strictly; the stop is below the start", name);
   const long double steps = (stop - start) / step;
   if (steps > longest_axis)
-    throw BadInput("{} has {:.0f} nodes: at most {} are allowed", name, static_cast<double>(steps) + 1, longest_axis);
+    throw BadInput("{} has {:.0f} nodes: at most {} are allowed", name, static_cast<double>(steps) + 1,
+                   longest_axis);
   const auto count = static_cast<std::size_t>(std::llround(steps));
   if (std::abs(steps - static_cast<long double>(count)) > 1e-9L)
     throw BadInput("{}: the stop is not a whole number of steps from the start (both ends are nodes)", name);
   std::vector<double> nodes(count + 1);
-  for (std::size_t k = 0; k <= count; ++k) nodes[k] = static_cast<double>(start + static_cast<long double>(k) * step);
+  for (std::size_t k = 0; k <= count; ++k)
+    nodes[k] = static_cast<double>(start + static_cast<long double>(k) * step);
   nodes.back() = static_cast<double>(stop);
   return nodes;
 }

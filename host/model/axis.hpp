@@ -26,7 +26,8 @@ struct AxisRow {
 /// In the order of a table's dimensions.
 inline constexpr AxisRow axis_table[] = {
     {AxisKind::theta_i, "theta_i", "polar angle of incidence", 0, 90, false, "0:85:5"},
-    {AxisKind::phi_i, "phi_i", "azimuth of incidence (of the direction in which the light travels)", -360, 360, true, "0"},
+    {AxisKind::phi_i, "phi_i", "azimuth of incidence (of the direction in which the light travels)", -360,
+     360, true, "0"},
     {AxisKind::theta_s, "theta_s", "polar angle of scatter", 0, 90, false, "0:89:1"},
     {AxisKind::phi_s, "phi_s", "azimuth of scatter", -360, 360, true, "0:360:2"},
 };

@@ -1,4 +1,5 @@
-// Colour matching functions of the CIE 1931 standard observer (2 degrees) and the CIE standard illuminant D65, every 5 nm.
+// Colour matching functions of the CIE 1931 standard observer (2 degrees) and the CIE standard illuminant
+// D65, every 5 nm.
 //
 // Source: CIE 15:2004, Colorimetry, tables T.4 and T.1; ISO/CIE 11664-1 and -2.
 #pragma once

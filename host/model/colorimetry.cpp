@@ -1,6 +1,7 @@
 #include "host/model/colorimetry.hpp"
 
 #include <Eigen/Dense>
+
 #include <algorithm>
 #include <numeric>
 
@@ -20,7 +21,9 @@ double share(const std::vector<double>& bands, std::size_t b, double wavelength)
   return std::max(0., 1 - (wavelength - here) / (bands[b + 1] - here));
 }
 
-double power(const Cie1931Row& row, Illuminant illuminant) { return illuminant == Illuminant::d65 ? row.d65 : 1; }
+double power(const Cie1931Row& row, Illuminant illuminant) {
+  return illuminant == Illuminant::d65 ? row.d65 : 1;
+}
 
 Eigen::Vector3d from_xy(double x, double y) { return {x / y, 1, (1 - x - y) / y}; }
 
@@ -92,13 +95,15 @@ ChannelWeights rgb_weights(const std::vector<double>& wavelengths_nm, Illuminant
 }
 
 std::string_view rgb_convention(Illuminant illuminant) {
-  return illuminant == Illuminant::d65
-             ? "linear sRGB (Rec. 709) by the CIE 1931 2-degree observer under D65; f linear between bands, constant beyond"
-             : "linear sRGB (Rec. 709) by the CIE 1931 2-degree observer under equal energy, Bradford-adapted to D65; f linear "
-               "between bands, constant beyond";
+  return illuminant == Illuminant::d65 ? "linear sRGB (Rec. 709) by the CIE 1931 2-degree observer under "
+                                         "D65; f linear between bands, constant beyond"
+                                       : "linear sRGB (Rec. 709) by the CIE 1931 2-degree observer under "
+                                         "equal energy, Bradford-adapted to D65; f linear "
+                                         "between bands, constant beyond";
 }
 
-std::vector<std::vector<double>> weighted(const ChannelWeights& weights, const std::vector<std::vector<double>>& by_band) {
+std::vector<std::vector<double>> weighted(const ChannelWeights& weights,
+                                          const std::vector<std::vector<double>>& by_band) {
   std::vector<std::vector<double>> channels(3, std::vector<double>(by_band.front().size()));
   for (std::size_t c = 0; c < 3; ++c)
     for (std::size_t b = 0; b < by_band.size(); ++b)

@@ -1,7 +1,6 @@
 #include "host/model/direction_list.hpp"
 
 #include "host/base/error.hpp"
-#include "host/base/interrupt.hpp"
 #include "host/base/numbers.hpp"
 
 namespace brdftab {
@@ -12,7 +11,8 @@ constexpr std::string_view wanted = "theta_i_deg, theta_s_deg and phi_deg";
 double angle(std::string_view cell, std::string_view column, double minimum, double maximum, bool closed,
              const std::string& where) {
   const auto value = parse_number(cell);
-  const bool in_range = value && *value >= minimum && *value <= maximum && (closed || (*value > minimum && *value < maximum));
+  const bool in_range =
+      value && *value >= minimum && *value <= maximum && (closed || (*value > minimum && *value < maximum));
   if (!in_range)
     throw BadInput("{}: {} = {}: must be a number {} {} {} {} degrees", where, column, excerpt(cell),
                    closed ? "from" : "strictly between", minimum, closed ? "to" : "and", maximum);
@@ -28,9 +28,11 @@ DirectionColumns::DirectionColumns(const Csv& csv)
       phi_s_(csv.column("phi_s_deg")),
       phi_i_(csv.column("phi_i_deg")) {
   for (const auto& [present, name] : {std::pair{theta_i_, "theta_i_deg"}, {theta_s_, "theta_s_deg"}})
-    if (!present) throw BadInput("{}: the column {} is missing; a header names {}", csv.where(), name, wanted);
+    if (!present)
+      throw BadInput("{}: the column {} is missing; a header names {}", csv.where(), name, wanted);
   if (!phi_ && !phi_s_)
-    throw BadInput("{}: the column phi_deg (or phi_s_deg) is missing; a header names {}", csv.where(), wanted);
+    throw BadInput("{}: the column phi_deg (or phi_s_deg) is missing; a header names {}", csv.where(),
+                   wanted);
 }
 
 DirectionPair DirectionColumns::read(const Csv& csv, const std::vector<std::string_view>& cells) const {
@@ -39,7 +41,8 @@ DirectionPair DirectionColumns::read(const Csv& csv, const std::vector<std::stri
   // theta_i is [0, 90); -0 has become 0.
   pair.theta_i = angle(cells[*theta_i_], "theta_i_deg", -90, 90, false, where);
   if (pair.theta_i < 0)
-    throw BadInput("{}: theta_i_deg = {}: must be a number from 0 to below 90 degrees", where, excerpt(cells[*theta_i_]));
+    throw BadInput("{}: theta_i_deg = {}: must be a number from 0 to below 90 degrees", where,
+                   excerpt(cells[*theta_i_]));
   pair.theta_s = angle(cells[*theta_s_], "theta_s_deg", -90, 90, false, where);
   if (phi_) {
     pair.phi = angle(cells[*phi_], "phi_deg", -360, 360, true, where);
@@ -55,7 +58,6 @@ std::vector<DirectionPair> read_directions(std::istream& in, const std::string& 
   const DirectionColumns columns(csv);
   std::vector<DirectionPair> pairs;
   while (const auto* cells = csv.next()) pairs.push_back(columns.read(csv, *cells));
-  stop_if_interrupted();
   return pairs;
 }
 

@@ -20,7 +20,8 @@ struct DirectionPair {
   double model_phi() const { return theta_s < 0 ? phi + 180 : phi; }
 };
 
-/// The columns theta_i_deg, theta_s_deg and phi_deg (or phi_s_deg, with phi_i_deg if there is one) of a CSV file.
+/// The columns theta_i_deg, theta_s_deg and phi_deg (or phi_s_deg, with phi_i_deg if there is one) of a CSV
+/// file.
 class DirectionColumns {
  public:
   /// Throws BadInput where one is missing.

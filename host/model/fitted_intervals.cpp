@@ -20,7 +20,8 @@ std::string_view next_line(std::string_view& text) {
 // Of `95 %: LOW to HIGH; ...`.
 std::optional<FittedInterval> interval_of(std::string_view remark) {
   if (!remark.starts_with(interval_mark)) return {};
-  const std::string_view interval = remark.substr(interval_mark.size(), remark.find(';') - interval_mark.size());
+  const std::string_view interval =
+      remark.substr(interval_mark.size(), remark.find(';') - interval_mark.size());
   const auto to = interval.find(" to ");
   if (to == interval.npos) return {};
   const auto low = parse_number(interval.substr(0, to)), high = parse_number(interval.substr(to + 4));
@@ -45,16 +46,19 @@ std::vector<FittedIntervals> fitted_intervals(const Material& material) {
     const auto equals = line.find('=');
     if (equals == line.npos || line.find('#') < equals) continue;
     const std::string_view name = trimmed(line.substr(0, equals));
-    const std::string_view value = line.substr(equals + 1), remark = value.substr(std::min(value.find('#'), value.size()));
-    if (name == "wavelength_nm") sections.back().wavelength_nm = parse_number(value.substr(0, value.find('#'))).value_or(NAN);
+    const std::string_view value = line.substr(equals + 1),
+                           remark = value.substr(std::min(value.find('#'), value.size()));
+    if (name == "wavelength_nm")
+      sections.back().wavelength_nm = parse_number(value.substr(0, value.find('#'))).value_or(NAN);
     for (std::size_t p = 0; p < parameter_table.size(); ++p)
       if (name == parameter_table[p].name && !remark.empty())
         sections.back().intervals[p] = interval_of(trimmed(remark.substr(1)));
   }
   std::vector<FittedIntervals> bands;
   for (const Band& band : material.bands()) {
-    const auto own = std::find_if(sections.begin(), sections.end(),
-                                  [&](const Section& section) { return section.wavelength_nm == band.wavelength_nm; });
+    const auto own = std::find_if(sections.begin(), sections.end(), [&](const Section& section) {
+      return section.wavelength_nm == band.wavelength_nm;
+    });
     bands.push_back((own == sections.end() ? sections.front() : *own).intervals);
   }
   return bands;

@@ -25,7 +25,8 @@ using FittedIntervals = std::array<std::optional<FittedInterval>, parameter_tabl
 /// By band. A band that does not give a parameter has that of [parameters].
 std::vector<FittedIntervals> fitted_intervals(const Material& material);
 
-/// What `fit` says of the statistics as a whole: its `# intervals by` line; empty where the file is not of a fit.
+/// What `fit` says of the statistics as a whole: its `# intervals by` line; empty where the file is not of a
+/// fit.
 std::string fit_statistics(const Material& material);
 
 }  // namespace brdftab

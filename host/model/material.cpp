@@ -10,7 +10,6 @@
 #include <numeric>
 
 #include "host/base/error.hpp"
-#include "host/base/interrupt.hpp"
 #include "host/base/numbers.hpp"
 #include "host/model/variant.hpp"
 
@@ -51,7 +50,9 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
-std::string joined(const std::vector<std::string_view>& words) { return fmt::format("{}", fmt::join(words, ", ")); }
+std::string joined(const std::vector<std::string_view>& words) {
+  return fmt::format("{}", fmt::join(words, ", "));
+}
 
 std::string_view type_name(const toml::node& node) {
   switch (node.type()) {
@@ -108,7 +109,8 @@ class MaterialReader {
 
  private:
   [[noreturn]] void fail(const toml::source_region& where, const std::string& what) const {
-    throw PlacedFault("{}:{}:{}: {}", source_, std::max(where.begin.line, 1u), std::max(where.begin.column, 1u), what);
+    throw PlacedFault("{}:{}:{}: {}", source_, std::max(where.begin.line, 1u),
+                      std::max(where.begin.column, 1u), what);
   }
 
   [[noreturn]] void fail(std::string_view key, const toml::node& node, const std::string& what) const {
@@ -120,14 +122,18 @@ class MaterialReader {
       throw BadInput("{}:1:1: the file is empty; a material needs a name and [parameters]", source_);
     for (std::size_t line = 0; line < lines_.size(); ++line)
       for (std::size_t column = 0; column < lines_[line].size(); ++column)
-        if (const auto c = static_cast<unsigned char>(lines_[line][column]); (c < 0x20 && c != '\t' && c != '\r') || c == 0x7f)
-          throw BadInput("{}:{}:{}: byte 0x{:02x}: a material is a text file in TOML", source_, line + 1, column + 1, c);
+        if (const auto c = static_cast<unsigned char>(lines_[line][column]);
+            (c < 0x20 && c != '\t' && c != '\r') || c == 0x7f)
+          throw BadInput("{}:{}:{}: byte 0x{:02x}: a material is a text file in TOML", source_, line + 1,
+                         column + 1, c);
     for (std::size_t line = 0; line < lines_.size(); ++line) {
       const auto text = trimmed(lines_[line]);
-      const auto key =
-          text.starts_with('[') ? text : text.substr(0, text.find('=') == std::string_view::npos ? 0 : text.find('='));
+      const auto key = text.starts_with('[')
+                           ? text
+                           : text.substr(0, text.find('=') == std::string_view::npos ? 0 : text.find('='));
       if (std::count(key.begin(), key.end(), '.') > most_dots_of_a_key)
-        throw BadInput("{}:{}:1: {}: a key has at most {} dots", source_, line + 1, excerpt(key), most_dots_of_a_key);
+        throw BadInput("{}:{}:1: {}: a key has at most {} dots", source_, line + 1, excerpt(key),
+                       most_dots_of_a_key);
     }
   }
 
@@ -137,19 +143,24 @@ class MaterialReader {
     if (region.begin.line == 0 || region.begin.line > lines_.size()) return std::string(type_name(node));
     const auto line = lines_[region.begin.line - 1];
     const std::size_t begin = byte_of_column(line, region.begin.column);
-    const std::size_t end = region.end.line == region.begin.line ? byte_of_column(line, region.end.column) : line.size();
+    const std::size_t end =
+        region.end.line == region.begin.line ? byte_of_column(line, region.end.column) : line.size();
     return excerpt(trimmed(line.substr(begin, end - begin)));
   }
 
-  void check_keys(const toml::table& table, std::string_view prefix, const std::vector<std::string_view>& known) const {
+  void check_keys(const toml::table& table, std::string_view prefix,
+                  const std::vector<std::string_view>& known) const {
     for (const auto& [key, node] : table) {
       const std::string_view name = key.str();
       if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-      const auto nearest = *std::min_element(known.begin(), known.end(),
-                                             [&](auto a, auto b) { return edit_distance(name, a) < edit_distance(name, b); });
-      const bool is_typo = edit_distance(name, nearest) <= std::max<std::size_t>(2, nearest.size() / 3) && nearest.size() > 2;
-      fail(key.source(), fmt::format("{}{} = {}: unknown key{}; allowed: {}", prefix, excerpt(name), value_text(node),
-                                     is_typo ? fmt::format("; did you mean {}?", nearest) : "", joined(known)));
+      const auto nearest = *std::min_element(known.begin(), known.end(), [&](auto a, auto b) {
+        return edit_distance(name, a) < edit_distance(name, b);
+      });
+      const bool is_typo =
+          edit_distance(name, nearest) <= std::max<std::size_t>(2, nearest.size() / 3) && nearest.size() > 2;
+      fail(key.source(),
+           fmt::format("{}{} = {}: unknown key{}; allowed: {}", prefix, excerpt(name), value_text(node),
+                       is_typo ? fmt::format("; did you mean {}?", nearest) : "", joined(known)));
     }
   }
 
@@ -162,7 +173,8 @@ class MaterialReader {
     if (!node->is_string()) fail(key, *node, "must be a string");
     const std::string value = **node->as_string();
     const auto is_control = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
-    if (std::any_of(value.begin(), value.end(), is_control)) fail(key, *node, "must be one line without control characters");
+    if (std::any_of(value.begin(), value.end(), is_control))
+      fail(key, *node, "must be one line without control characters");
     if (required && trimmed(value).empty()) fail(key, *node, "must not be empty");
     return value;
   }
@@ -197,14 +209,15 @@ class MaterialReader {
 
   void read_parameters(const toml::table& root) {
     const toml::table* table = optional_table(root, "parameters");
-    if (!table) fail(root.source(), fmt::format("[parameters] is missing: it must give {}", joined(parameter_names())));
+    if (!table)
+      fail(root.source(), fmt::format("[parameters] is missing: it must give {}", joined(parameter_names())));
     check_keys(*table, "parameters.", parameter_names());
     Parameters parameters{};
     for (const auto& row : parameter_table) {
       const toml::node* node = table->get(row.name);
       if (!node)
-        fail(table->source(), fmt::format("parameters.{} is missing: a number from {} to {} is required ({})", row.name,
-                                          row.minimum, row.maximum, row.meaning));
+        fail(table->source(), fmt::format("parameters.{} is missing: a number from {} to {} is required ({})",
+                                          row.name, row.minimum, row.maximum, row.meaning));
       parameters.*row.member = parameter(row, "parameters.", *node);
     }
     read_bands(root, parameters);
@@ -225,7 +238,8 @@ class MaterialReader {
       const toml::table& table = *element.as_table();
       check_keys(table, "band.", known);
       const toml::node* wavelength = table.get("wavelength_nm");
-      if (!wavelength) fail(table.source(), "band.wavelength_nm is missing: a number above 0, in nm, is required");
+      if (!wavelength)
+        fail(table.source(), "band.wavelength_nm is missing: a number above 0, in nm, is required");
       const std::string allowed = "in nm, above 0 and at most 1e9";
       Band band{number("band.wavelength_nm", *wavelength, allowed), parameters};
       if (*band.wavelength_nm <= 0 || *band.wavelength_nm > 1e9)
@@ -234,7 +248,8 @@ class MaterialReader {
         fail("band.wavelength_nm", *wavelength,
              fmt::format("must be above the band before it, {} nm", *material_.bands_.back().wavelength_nm));
       for (const auto& row : parameter_table)
-        if (const toml::node* value = table.get(row.name)) band.parameters.*row.member = parameter(row, "band.", *value);
+        if (const toml::node* value = table.get(row.name))
+          band.parameters.*row.member = parameter(row, "band.", *value);
       material_.bands_.push_back(band);
     }
   }
@@ -243,22 +258,23 @@ class MaterialReader {
     const toml::table* table = optional_table(root, "model");
     if (!table) return;
     std::vector<std::string_view> names;
-    for (const auto& row : switch_table()) names.push_back(row.name);
+    for (const auto& row : variant_table()) names.push_back(row.name);
     check_keys(*table, "model.", names);
-    for (const auto& row : switch_table()) {
+    for (const auto& row : variant_table()) {
       const toml::node* node = table->get(row.name);
       if (!node) continue;
       const std::string key = fmt::format("model.{}", row.name);
-      const std::string wanted = fmt::format("must be {}{}", row.is_boolean() ? "" : "one of the strings ", joined(row.choices));
+      const std::string wanted =
+          fmt::format("must be {}{}", row.is_boolean() ? "" : "one of the strings ", joined(row.choices));
       std::string value;
       if (row.is_boolean() && node->is_boolean()) value = **node->as_boolean() ? "true" : "false";
       if (!row.is_boolean() && node->is_string()) value = **node->as_string();
       const auto choice = std::find(row.choices.begin(), row.choices.end(), value);
       if (choice == row.choices.end()) fail(key, *node, wanted);
-      row.set(material_.switches_, static_cast<int>(choice - row.choices.begin()));
+      row.set(material_.variant_, static_cast<int>(choice - row.choices.begin()));
     }
-    if (material_.switches_.normalization == Normalization::closed_form &&
-        material_.switches_.autocovariance == Autocovariance::gaussian)
+    if (material_.variant_.normalization == Normalization::closed_form &&
+        material_.variant_.autocovariance == Autocovariance::gaussian)
       fail("model.normalization", *table->get("normalization"),
            "Eq. (8) normalises a Lorentzian; a gaussian autocovariance takes hemispherical or reciprocal");
   }
@@ -298,19 +314,24 @@ class MaterialReader {
 };
 
 Material Material::at_wavelength(double wavelength_nm) const {
-  if (!has_wavelengths()) throw BadInput("{} has no bands, and so none at {} nm", name_, shortest(wavelength_nm));
-  const auto band = std::find_if(bands_.begin(), bands_.end(), [&](const Band& b) { return b.wavelength_nm == wavelength_nm; });
+  if (!has_wavelengths())
+    throw BadInput("{} has no bands, and so none at {} nm", name_, shortest(wavelength_nm));
+  const auto band = std::find_if(bands_.begin(), bands_.end(),
+                                 [&](const Band& b) { return b.wavelength_nm == wavelength_nm; });
   if (band == bands_.end()) {
     std::vector<std::string> known;
     for (const Band& b : bands_) known.push_back(shortest(*b.wavelength_nm));
-    throw BadInput("{} has no band at {} nm; it has {}", name_, shortest(wavelength_nm), fmt::join(known, ", "));
+    throw BadInput("{} has no band at {} nm; it has {}", name_, shortest(wavelength_nm),
+                   fmt::join(known, ", "));
   }
   Material result = *this;
   result.bands_ = {*band};
   return result;
 }
 
-Material Material::parse(std::string text, const std::string& source) { return MaterialReader(std::move(text), source).read(); }
+Material Material::parse(std::string text, const std::string& source) {
+  return MaterialReader(std::move(text), source).read();
+}
 
 Material Material::read(const std::filesystem::path& file) {
   std::string text;
@@ -318,20 +339,22 @@ Material Material::read(const std::filesystem::path& file) {
     text.resize(largest_material_bytes + 1);
     in.read(text.data(), static_cast<std::streamsize>(text.size()));
     text.resize(static_cast<std::size_t>(in.gcount()));
-    stop_if_interrupted();
   };
   if (file == "-") {
     take(std::cin);
   } else {
     std::error_code error;
-    if (std::filesystem::is_directory(file, error)) throw FileError("{}: is a folder, not a material file", file.string());
+    if (std::filesystem::is_directory(file, error))
+      throw FileError("{}: is a folder, not a material file", file.string());
     std::ifstream in(file, std::ios::binary);
-    if (!in) throw FileError("{}: cannot be opened: {}", file.string(), std::generic_category().message(errno));
+    if (!in)
+      throw FileError("{}: cannot be opened: {}", file.string(), std::generic_category().message(errno));
     take(in);
   }
   const std::string source = file == "-" ? "standard input" : file.string();
   if (text.size() > largest_material_bytes)
-    throw BadInput("{}:1:1: is larger than {} bytes, the most that a material file may have", source, largest_material_bytes);
+    throw BadInput("{}:1:1: is larger than {} bytes, the most that a material file may have", source,
+                   largest_material_bytes);
   return parse(std::move(text), source);
 }
 

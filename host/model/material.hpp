@@ -34,14 +34,14 @@ class Material {
   const std::string& license() const { return license_; }
   /// The whole file, as given.
   const std::string& text() const { return text_; }
-  const ModelSwitches& switches() const { return switches_; }
+  const Variant& variant() const { return variant_; }
   /// At least one; wavelengths, where there are any, increase strictly.
   const std::vector<Band>& bands() const { return bands_; }
   bool has_wavelengths() const { return bands_.front().wavelength_nm.has_value(); }
   const Grid& grid() const { return grid_; }
 
-  /// The same material with one of its bands, for what holds only one; its text stays whole. Throws BadInput, which lists the
-  /// bands, where none has this wavelength.
+  /// The same material with one of its bands, for what holds only one; its text stays whole. Throws BadInput,
+  /// which lists the bands, where none has this wavelength.
   Material at_wavelength(double wavelength_nm) const;
 
  private:
@@ -53,7 +53,7 @@ class Material {
   std::string source_;
   std::string license_;
   std::string text_;
-  ModelSwitches switches_;
+  Variant variant_;
   std::vector<Band> bands_;
   Grid grid_;
 };

@@ -24,7 +24,8 @@ std::vector<double> differences(double phi_i, const Axis& phi_s) {
 
 [[noreturn]] void refuse(const std::string& why) {
   throw BadInput(
-      "--layout virtual: {}; a view takes even steps of phi_i and phi_s that binary numbers hold exactly, such as whole degrees, "
+      "--layout virtual: {}; a view takes even steps of phi_i and phi_s that binary numbers hold exactly, "
+      "such as whole degrees, "
       "0.5 or 0.25, but not 0.1",
       why);
 }
@@ -35,12 +36,14 @@ Axis distinct_differences(const Axis& phi_i, const Axis& phi_s) {
     std::vector<double> row = differences(i, phi_s);
     std::sort(row.begin(), row.end());
     row.erase(std::unique(row.begin(), row.end()), row.end());
-    if (std::all_of(row.begin(), row.end(), [&](double phi) { return std::binary_search(all.begin(), all.end(), phi); }))
+    if (std::all_of(row.begin(), row.end(),
+                    [&](double phi) { return std::binary_search(all.begin(), all.end(), phi); }))
       continue;
     std::vector<double> merged;
     std::set_union(all.begin(), all.end(), row.begin(), row.end(), std::back_inserter(merged));
     all = std::move(merged);
-    if (all.size() > longest_axis) refuse(fmt::format("phi_s - phi_i takes more than {} values", longest_axis));
+    if (all.size() > longest_axis)
+      refuse(fmt::format("phi_s - phi_i takes more than {} values", longest_axis));
   }
   return Axis(AxisKind::phi_s, std::move(all));
 }
@@ -53,7 +56,8 @@ RelativeAzimuth relative_azimuth(const Axis& phi_i, const Axis& phi_s) {
   for (std::size_t i = 0; i < phi_i.size(); ++i) {
     std::vector<std::size_t> node;
     for (const double phi : differences(phi_i[i], phi_s))
-      node.push_back(static_cast<std::size_t>(std::lower_bound(axis.begin(), axis.end(), phi) - axis.begin()));
+      node.push_back(
+          static_cast<std::size_t>(std::lower_bound(axis.begin(), axis.end(), phi) - axis.begin()));
     std::size_t pieces = 0;
     for (std::size_t begin = 0; begin < node.size(); ++pieces) {
       std::size_t end = begin + 1;
@@ -64,7 +68,8 @@ RelativeAzimuth relative_azimuth(const Axis& phi_i, const Axis& phi_s) {
     }
     if (pieces > most_pieces_of_a_row)
       refuse(
-          fmt::format("phi_s - phi_i takes {} different values for {} by {} nodes, and those of phi_i = {} are not evenly "
+          fmt::format("phi_s - phi_i takes {} different values for {} by {} nodes, and those of phi_i = {} "
+                      "are not evenly "
                       "spaced among them",
                       axis.size(), phi_i.size(), phi_s.size(), shortest(phi_i[i])));
   }

@@ -17,7 +17,8 @@ struct AzimuthPiece {
 };
 
 struct RelativeAzimuth {
-  Axis phi;  // in (-180, 180]: every phi_s - phi_i modulo 360, each exactly as a table of all four angles evaluates it
+  Axis phi;  // in (-180, 180]: every phi_s - phi_i modulo 360, each exactly as a table of all four angles
+             // evaluates it
   std::vector<AzimuthPiece> pieces;  // in the order of phi_i and phi_s, at most two for each phi_i
 };
 

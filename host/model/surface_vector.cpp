@@ -42,7 +42,8 @@ SurfaceVector about_specular(double theta_i, double radial, double azimuth) {
 
 std::pair<double, double> specular_angles(double theta_i, const SurfaceVector& to_viewer) {
   const SurfaceVector i = SurfaceVector::from_degrees(theta_i, 0);
-  const SurfaceVector local{to_viewer.z * i.x - to_viewer.x * i.z, to_viewer.y, to_viewer.z * i.z + to_viewer.x * i.x};
+  const SurfaceVector local{to_viewer.z * i.x - to_viewer.x * i.z, to_viewer.y,
+                            to_viewer.z * i.z + to_viewer.x * i.x};
   const double azimuth = local.phi();
   return {local.theta(), azimuth < 0 ? azimuth + 360 : azimuth};
 }

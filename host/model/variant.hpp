@@ -10,19 +10,19 @@
 namespace brdftab {
 
 /// A switch of `[model]`: its choices in the order of its enumeration, the default first.
-struct SwitchRow {
+struct VariantRow {
   std::string_view name;
   std::vector<std::string_view> choices;
   std::string_view meaning;
-  int (*get)(const ModelSwitches&);
-  void (*set)(ModelSwitches&, int choice);
+  int (*get)(const Variant&);
+  void (*set)(Variant&, int choice);
   /// true and false are booleans in the file, not strings.
   bool is_boolean() const { return choices.front() == "true"; }
 };
 
-const std::vector<SwitchRow>& switch_table();
+const std::vector<VariantRow>& variant_table();
 
 /// The choice in force, by name.
-std::string_view choice_name(const SwitchRow& row, const ModelSwitches& switches);
+std::string_view choice_name(const VariantRow& row, const Variant& variant);
 
 }  // namespace brdftab

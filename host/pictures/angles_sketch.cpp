@@ -21,11 +21,14 @@ struct Point {
 };
 
 // x to the forward side, y away from the reader, z along the normal.
-Point seen(double x, double y, double z) { return {260 + 150 * (x - 0.22 * y), 214 - 150 * (0.96 * z + 0.34 * y)}; }
+Point seen(double x, double y, double z) {
+  return {260 + 150 * (x - 0.22 * y), 214 - 150 * (0.96 * z + 0.34 * y)};
+}
 
 Point along(double theta, double azimuth, double length) {
   return seen(length * std::sin(theta * degree) * std::cos(azimuth * degree),
-              length * std::sin(theta * degree) * std::sin(azimuth * degree), length * std::cos(theta * degree));
+              length * std::sin(theta * degree) * std::sin(azimuth * degree),
+              length * std::cos(theta * degree));
 }
 
 std::string curve(double from, double to, const std::function<Point(double)>& at) {
@@ -37,12 +40,13 @@ std::string curve(double from, double to, const std::function<Point(double)>& at
   return d;
 }
 
-void arrow(Svg& svg, const Point& from, const Point& to, const Ink& ink, double width, std::string_view dash = "") {
+void arrow(Svg& svg, const Point& from, const Point& to, const Ink& ink, double width,
+           std::string_view dash = "") {
   const double length = std::hypot(to.x - from.x, to.y - from.y);
   const double ux = (to.x - from.x) / length, uy = (to.y - from.y) / length;
   svg.line(from.x, from.y, to.x - 4 * ux, to.y - 4 * uy, ink, width, dash);
-  svg.path(fmt::format("M{:.1f} {:.1f}L{:.1f} {:.1f}L{:.1f} {:.1f}", to.x - 9 * ux + 4 * uy, to.y - 9 * uy - 4 * ux, to.x, to.y,
-                       to.x - 9 * ux - 4 * uy, to.y - 9 * uy + 4 * ux),
+  svg.path(fmt::format("M{:.1f} {:.1f}L{:.1f} {:.1f}L{:.1f} {:.1f}", to.x - 9 * ux + 4 * uy,
+                       to.y - 9 * uy - 4 * ux, to.x, to.y, to.x - 9 * ux - 4 * uy, to.y - 9 * uy + 4 * ux),
            ink, width, "", "stroke-linejoin=\"round\" stroke-linecap=\"round\"");
 }
 
@@ -56,7 +60,8 @@ std::string angles_sketch() {
   const Point forward = along(90, 0, 1.35), backward = along(90, 180, 1.35), top = along(0, 0, 1.3);
   svg.line(backward.x, backward.y, forward.x, forward.y, inks::frame, 1, "4 3");
   arrow(svg, origin, top, inks::frame, 1.2);
-  const Point source = along(theta_i, 180, 1.3), mirror = along(theta_i, 0, 1.2), out = along(theta_s, phi, 1.35);
+  const Point source = along(theta_i, 180, 1.3), mirror = along(theta_i, 0, 1.2),
+              out = along(theta_s, phi, 1.35);
   const Point foot = along(90, phi, 1.35 * std::sin(theta_s * degree));
   arrow(svg, source, origin, incident_ink, 2.4);
   arrow(svg, origin, mirror, incident_ink, 1.4, "6 4");
@@ -65,7 +70,8 @@ std::string angles_sketch() {
   svg.line(foot.x, foot.y, out.x, out.y, scattered_ink, 1, "3 3");
   svg.path(curve(0, theta_i, [](double theta) { return along(theta, 180, 0.62); }), incident_ink, 1.4);
   svg.path(curve(0, theta_s, [](double theta) { return along(theta, phi, 0.62); }), scattered_ink, 1.4);
-  const auto label = [&](const Point& at, double dx, double dy, std::string_view text, const char* anchor, const Ink& ink) {
+  const auto label = [&](const Point& at, double dx, double dy, std::string_view text, const char* anchor,
+                         const Ink& ink) {
     svg.text(at.x + dx, at.y + dy, text, {.anchor = anchor, .size = 13.5, .ink = ink});
   };
   label(along(theta_i / 2, 180, 0.62), -3, -8, "θ_i", "middle", incident_ink);
@@ -77,7 +83,8 @@ std::string angles_sketch() {
   label(out, 6, -6, "scattered", "start", scattered_ink);
   label(forward, -6, 20, "φ = 0, forward", "middle", inks::text);
   label(backward, 10, 20, "φ = 180°, retro", "middle", inks::text);
-  return svg.document("The angles: theta_i and theta_s from the normal, phi = phi_s − phi_i from the forward side");
+  return svg.document(
+      "The angles: theta_i and theta_s from the normal, phi = phi_s − phi_i from the forward side");
 }
 
 }  // namespace brdftab

@@ -42,8 +42,9 @@ struct Side {
     std::vector<std::size_t> rows, columns;
     for (const double s : theta_s) rows.push_back(index_of(slice.theta_s(), s));
     for (const double azimuth : phi) {
-      const auto at = std::find_if(slice.phi().begin(), slice.phi().end(),
-                                   [&](double node) { return std::abs(in_circle(node) - azimuth) <= same_angle; });
+      const auto at = std::find_if(slice.phi().begin(), slice.phi().end(), [&](double node) {
+        return std::abs(in_circle(node) - azimuth) <= same_angle;
+      });
       columns.push_back(static_cast<std::size_t>(at - slice.phi().begin()));
     }
     for (const std::size_t row : rows)
@@ -52,7 +53,8 @@ struct Side {
   }
 
   static std::size_t index_of(const Nodes& nodes, double angle) {
-    return static_cast<std::size_t>(std::lower_bound(nodes.begin(), nodes.end(), angle - same_angle) - nodes.begin());
+    return static_cast<std::size_t>(std::lower_bound(nodes.begin(), nodes.end(), angle - same_angle) -
+                                    nodes.begin());
   }
 };
 
@@ -60,14 +62,16 @@ Nodes azimuths(const Grid& grid) {
   Nodes phi;
   for (const double node : grid.phi_s.nodes()) phi.push_back(in_circle(node - grid.phi_i[0]));
   std::sort(phi.begin(), phi.end());
-  phi.erase(std::unique(phi.begin(), phi.end(), [](double a, double b) { return b - a <= same_angle; }), phi.end());
+  phi.erase(std::unique(phi.begin(), phi.end(), [](double a, double b) { return b - a <= same_angle; }),
+            phi.end());
   return phi;
 }
 
 Nodes common(const Nodes& a, const Nodes& b) {
   Nodes result;
   for (const double angle : a)
-    if (const auto at = std::lower_bound(b.begin(), b.end(), angle - same_angle); at != b.end() && *at <= angle + same_angle)
+    if (const auto at = std::lower_bound(b.begin(), b.end(), angle - same_angle);
+        at != b.end() && *at <= angle + same_angle)
       result.push_back(angle);
   return result;
 }
@@ -115,18 +119,21 @@ struct Comparison {
   std::size_t directions = 0;
 };
 
-Comparison at_nodes(std::span<const Subject> subjects, const Side& a, const Side& b, const PlotOptions& options) {
+Comparison at_nodes(std::span<const Subject> subjects, const Side& a, const Side& b,
+                    const PlotOptions& options) {
   const SharedNodes nodes(subjects);
   if (nodes.theta_i.empty() || nodes.theta_s.size() < 2 || nodes.phi.size() < 2)
-    throw BadInput("{} and {} share {} theta_i, {} theta_s and {} azimuths: too few nodes to compare", subjects[0].file(),
-                   subjects[1].file(), nodes.theta_i.size(), nodes.theta_s.size(), nodes.phi.size());
+    throw BadInput("{} and {} share {} theta_i, {} theta_s and {} azimuths: too few nodes to compare",
+                   subjects[0].file(), subjects[1].file(), nodes.theta_i.size(), nodes.theta_s.size(),
+                   nodes.phi.size());
   Comparison result;
   const auto nearest = [&](double angle) {
     return *std::min_element(nodes.theta_i.begin(), nodes.theta_i.end(),
                              [&](double x, double y) { return std::abs(x - angle) < std::abs(y - angle); });
   };
   const auto slice_at = [&](double theta_i) {
-    const auto f = a.values(theta_i, nodes.theta_s, nodes.phi), g = b.values(theta_i, nodes.theta_s, nodes.phi);
+    const auto f = a.values(theta_i, nodes.theta_s, nodes.phi),
+               g = b.values(theta_i, nodes.theta_s, nodes.phi);
     std::vector<double> ratios;
     for (std::size_t k = 0; k < f.size(); ++k) ratios.push_back(ratio_of(f[k], g[k]));
     return TableSlice(nodes.theta_s, nodes.phi, std::move(ratios));
@@ -140,7 +147,8 @@ Comparison at_nodes(std::span<const Subject> subjects, const Side& a, const Side
   if (options.theta_i) {
     for (const double angle : *options.theta_i) {
       if (std::abs(nearest(angle) - angle) > same_angle)
-        throw BadInput("--theta-i {}: is no node of both; the nearest is {}", shortest(angle), shortest(nearest(angle)));
+        throw BadInput("--theta-i {}: is no node of both; the nearest is {}", shortest(angle),
+                       shortest(nearest(angle)));
       result.theta_i.push_back(angle);
       see(angle, slice_at(angle));
     }
@@ -154,7 +162,8 @@ Comparison at_nodes(std::span<const Subject> subjects, const Side& a, const Side
   for (const double angle : result.theta_i) {
     const TableSlice slice = slice_at(angle);
     if (!slice.is_round())
-      throw BadInput("{} and {} share azimuths with gaps above 90 degrees", subjects[0].file(), subjects[1].file());
+      throw BadInput("{} and {} share azimuths with gaps above 90 degrees", subjects[0].file(),
+                     subjects[1].file());
     result.ratios.push_back(slice.at_pixels());
   }
   return result;
@@ -162,8 +171,9 @@ Comparison at_nodes(std::span<const Subject> subjects, const Side& a, const Side
 
 Comparison everywhere(const Side& a, const Side& b, const PlotOptions& options) {
   Comparison result;
-  result.theta_i =
-      options.theta_i ? *options.theta_i : std::vector<double>(std::begin(shown_incidences), std::end(shown_incidences));
+  result.theta_i = options.theta_i
+                       ? *options.theta_i
+                       : std::vector<double>(std::begin(shown_incidences), std::end(shown_incidences));
   for (const double theta_i : result.theta_i) {
     const auto ratios = [&](std::span<const DirectionPair> pairs) {
       auto f = a.model->brdf(pairs);
@@ -204,19 +214,21 @@ std::string worst_text(const Worst& worst, const ChartAxis& scale) {
   const std::string size = !(worst.ratio > 0)  ? "one is no positive number"
                            : scale.logarithmic ? fmt::format("ratio {:.4g}", worst.ratio)
                                                : fmt::format("{:+.3g}", worst.ratio - 1);
-  return fmt::format("largest difference: {} at θ_i = {:.5g}°, θ_s = {:.5g}°, φ = {:.5g}°", size, worst.theta_i, worst.theta_s,
-                     worst.phi);
+  return fmt::format("largest difference: {} at θ_i = {:.5g}°, θ_s = {:.5g}°, φ = {:.5g}°", size,
+                     worst.theta_i, worst.theta_s, worst.phi);
 }
 
 }  // namespace
 
-std::string compare_plot(std::span<const Subject> subjects, const PlotOptions& options, const EngineSource& engine) {
+std::string compare_plot(std::span<const Subject> subjects, const PlotOptions& options,
+                         const LazyEngine& engine) {
   const Polarization polarization = drawn_polarization(subjects, options);
   const auto side = [&](const Subject& subject) {
     const std::size_t band = subject.band(options.wavelength_nm);
-    return Side{
-        subject, band, polarization,
-        subject.is_table() ? std::nullopt : std::optional<DrawnModel>(std::in_place, engine(), subject, band, polarization)};
+    return Side{subject, band, polarization,
+                subject.is_table()
+                    ? std::nullopt
+                    : std::optional<DrawnModel>(std::in_place, engine(), subject, band, polarization)};
   };
   const Side a = side(subjects[0]), b = side(subjects[1]);
   const bool of_nodes = subjects[0].is_table() || subjects[1].is_table();
@@ -225,7 +237,8 @@ std::string compare_plot(std::span<const Subject> subjects, const PlotOptions& o
   const ChartAxis scale = scale_for(comparison.worst.logarithm, "f_A / f_B");
   HemisphereFigure figure{
       .title = "Ratio of two BRDFs over the hemisphere",
-      .subtitle = fmt::format("A: {}; B: {}; {}", labels[0], labels[1], light_text(subjects[0], options, polarization)),
+      .subtitle = fmt::format("A: {}; B: {}; {}", labels[0], labels[1],
+                              light_text(subjects[0], options, polarization)),
       .footnote = fmt::format("{}, of {} {}", worst_text(comparison.worst, scale), comparison.directions,
                               of_nodes ? "nodes" : "directions up to θ_s = 85°"),
       .scale = scale,

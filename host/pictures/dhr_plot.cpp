@@ -7,8 +7,8 @@
 
 #include "host/compute/integrals.hpp"
 #include "host/pictures/drawing/chart.hpp"
-#include "host/pictures/plot.hpp"
 #include "host/pictures/drawing/smooth_curve.hpp"
+#include "host/pictures/plot.hpp"
 
 namespace brdftab {
 namespace {
@@ -29,13 +29,15 @@ std::vector<ChartPoint> stored(const Subject& subject, std::string_view name, st
   std::vector<ChartPoint> points;
   const auto nodes = subject.table().grid.theta_i.nodes();
   const auto& values = subject.reader().info().variable(name)->values;
-  for (std::size_t k = 0; k < nodes.size(); ++k) points.push_back({nodes[k], values[band * nodes.size() + k]});
+  for (std::size_t k = 0; k < nodes.size(); ++k)
+    points.push_back({nodes[k], values[band * nodes.size() + k]});
   return points;
 }
 
 }  // namespace
 
-std::string dhr_plot(std::span<const Subject> subjects, const PlotOptions& options, const EngineSource& engine) {
+std::string dhr_plot(std::span<const Subject> subjects, const PlotOptions& options,
+                     const LazyEngine& engine) {
   Chart chart{.title = picture_title(subjects, "directional-hemispherical reflectance"),
               .subtitle = light_text(subjects[0], options, std::nullopt),
               .legend_title = "lobe",
@@ -51,12 +53,15 @@ std::string dhr_plot(std::span<const Subject> subjects, const PlotOptions& optio
     const std::size_t index = subject.band(options.wavelength_nm);
     const Band& band = subject.material().bands()[index];
     const auto theta_i = incidences(band.parameters);
-    const Dhr dhr = integrals(engine(), band, subject.material().switches(), theta_i).dhr;
+    const Dhr dhr = integrals(engine(), band, subject.material().variant(), theta_i).dhr;
     for (const auto& [name, polarization] : {std::pair{"unpolarised", Polarization::unpolarized},
                                              {"s-polarised", Polarization::s},
                                              {"p-polarised", Polarization::p}}) {
-      Panel panel{
-          .title = name, .x = {"incidence θ_i (degrees)", 0, 90, false, 30}, .y = {}, .series = {}, .rules = {{1, "DHR = 1"}}};
+      Panel panel{.title = name,
+                  .x = {"incidence θ_i (degrees)", 0, 90, false, 30},
+                  .y = {},
+                  .series = {},
+                  .rules = {{1, "DHR = 1"}}};
       std::vector<ChartPoint> total;
       for (std::size_t k = 0; k < theta_i.size(); ++k) {
         total.push_back({theta_i[k], dhr.total(k, polarization)});
@@ -83,8 +88,8 @@ std::string dhr_plot(std::span<const Subject> subjects, const PlotOptions& optio
     }
   }
   const bool linear = largest > bright;
-  const ChartAxis y =
-      linear ? ChartAxis{"DHR", 0, std::max(1.1, 1.05 * largest)} : logarithmic_axis("DHR", smallest, 1.2, most_decades);
+  const ChartAxis y = linear ? ChartAxis{"DHR", 0, std::max(1.1, 1.05 * largest)}
+                             : logarithmic_axis("DHR", smallest, 1.2, most_decades);
   for (Panel& panel : chart.panels) panel.y = y;
   return chart.svg();
 }

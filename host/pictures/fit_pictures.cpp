@@ -8,15 +8,15 @@
 #include <numbers>
 
 #include "host/base/error.hpp"
-#include "host/model/measurement/measured_light.hpp"
 #include "host/base/numbers.hpp"
 #include "host/base/partial_file.hpp"
-#include "host/pictures/in_plane.hpp"
+#include "host/compute/slab.hpp"
+#include "host/model/measurement/measured_light.hpp"
 #include "host/pictures/drawing/matrix_figure.hpp"
 #include "host/pictures/drawing/picture_file.hpp"
-#include "host/pictures/shadowing_plot.hpp"
 #include "host/pictures/drawing/svg.hpp"
-#include "host/compute/slab.hpp"
+#include "host/pictures/in_plane.hpp"
+#include "host/pictures/shadowing_plot.hpp"
 
 namespace brdftab {
 namespace {
@@ -38,14 +38,15 @@ Panel fit_panel(const Engine& engine, const FitProblem& problem, std::span<const
   for (const std::size_t k : spread_indices(scans.size(), most_incidences)) drawn.push_back(scans[k]);
   Panel panel{.title = "", .x = theta_s_axis(), .y = {}};
   if (drawn.empty()) panel.note = "no sample lies in the plane of incidence";
-  if (drawn.size() < scans.size()) chart.notes.push_back(fmt::format("at {} of {} θ_i", drawn.size(), scans.size()));
+  if (drawn.size() < scans.size())
+    chart.notes.push_back(fmt::format("at {} of {} θ_i", drawn.size(), scans.size()));
   if (const std::string note = not_drawn_note(samples); !note.empty()) chart.notes.push_back(note);
   if (drawn.empty()) return panel;
   std::vector<double> theta_i;
   for (const InPlaneScan& scan : drawn) theta_i.push_back(scan.theta_i);
   const double share_s = samples.front().share_s;
   const auto curves = in_plane_curves(theta_i, [&](std::span<const DirectionPair> pairs) {
-    const LogBrdfGradients model(engine, pairs, share_s, problem.options().switches);
+    const LogBrdfGradients model(engine, pairs, share_s, problem.options().variant);
     const auto values = model.evaluate({&parameters, 1});
     std::vector<double> f;
     for (std::size_t k = 0; k < pairs.size(); ++k) f.push_back(std::exp(values.ln_f(0)[k]));
@@ -58,7 +59,8 @@ Panel fit_panel(const Engine& engine, const FitProblem& problem, std::span<const
   return panel;
 }
 
-std::string fit_picture(const Engine& engine, const FitProblem& problem, const FitBand& band, const Parameters& parameters) {
+std::string fit_picture(const Engine& engine, const FitProblem& problem, const FitBand& band,
+                        const Parameters& parameters) {
   std::map<double, std::vector<MeasuredSample>, std::greater<>> lights;  // by share of s
   for (const MeasuredSample& sample : band.samples) lights[sample.share_s].push_back(sample);
   Chart chart{.title = "BRDF in the plane of incidence: measured and fitted",
@@ -88,7 +90,8 @@ std::string fit_picture(const Engine& engine, const FitProblem& problem, const F
   return chart.svg();
 }
 
-std::string residual_picture(const FitProblem& problem, const FitBand& band, const std::vector<double>& misfits) {
+std::string residual_picture(const FitProblem& problem, const FitBand& band,
+                             const std::vector<double>& misfits) {
   const Incidences& settings = problem.incidences();
   double largest = 1e-6;
   for (const double misfit : misfits) largest = std::max(largest, std::abs(misfit));
@@ -100,14 +103,16 @@ std::string residual_picture(const FitProblem& problem, const FitBand& band, con
               .panels = {}};
   Panel panel{.title = "",
               .x = theta_s_axis(),
-              .y = {problem.options().take_sigma() ? "(model − data) / σ" : "ln(model / data)", -1.1 * largest, 1.1 * largest}};
+              .y = {problem.options().take_sigma() ? "(model − data) / σ" : "ln(model / data)",
+                    -1.1 * largest, 1.1 * largest}};
   panel.rules.push_back({0, ""});
   const Incidences told_apart = settings.joined(most_incidences);
   std::vector<std::vector<ChartPoint>> points(told_apart.size());
   for (std::size_t k = 0; k < misfits.size(); ++k) {
     const auto& pair = band.samples[k].pair;
     const bool backward = std::cos(pair.model_phi() * std::numbers::pi / 180) < 0;
-    points[told_apart.index(pair.theta_i)].push_back({backward ? -pair.model_theta_s() : pair.model_theta_s(), misfits[k]});
+    points[told_apart.index(pair.theta_i)].push_back(
+        {backward ? -pair.model_theta_s() : pair.model_theta_s(), misfits[k]});
   }
   for (std::size_t k = 0; k < points.size(); ++k) {
     const double first = settings.angle(settings.index(told_apart.lowest(k)));
@@ -160,11 +165,13 @@ void write_fit_pictures(const Engine& engine, const FitProblem& problem, const F
   const auto evaluated = problem.batch().evaluate(summary.bands);
   for (std::size_t b = 0; b < problem.bands().size(); ++b) {
     const FitBand& band = problem.bands()[b];
-    const std::string suffix =
-        problem.bands().size() > 1 && band.wavelength_nm ? fmt::format("-{}", shortest(*band.wavelength_nm)) : "";
-    write(folder / fmt::format("fit{}.svg", suffix), fit_picture(engine, problem, band, summary.bands[b]), force);
-    write(folder / fmt::format("residuals{}.svg", suffix), residual_picture(problem, band, problem.misfits(evaluated[b], b)),
+    const std::string suffix = problem.bands().size() > 1 && band.wavelength_nm
+                                   ? fmt::format("-{}", shortest(*band.wavelength_nm))
+                                   : "";
+    write(folder / fmt::format("fit{}.svg", suffix), fit_picture(engine, problem, band, summary.bands[b]),
           force);
+    write(folder / fmt::format("residuals{}.svg", suffix),
+          residual_picture(problem, band, problem.misfits(evaluated[b], b)), force);
     write(folder / fmt::format("shadowing{}.svg", suffix), shadowing_picture(summary.bands[b]), force);
   }
   write(folder / "correlations.svg", correlation_picture(summary), force);

@@ -1,10 +1,10 @@
 #include "host/pictures/hemisphere_figure.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "host/pictures/drawing/png.hpp"
@@ -40,7 +40,8 @@ struct Disc {
 // Open in the middle, where a narrow peak may be.
 void cross(Svg& svg, double x, double y) {
   const std::string d =
-      fmt::format("M{0:.2f} {1:.2f}h4M{2:.2f} {1:.2f}h4M{3:.2f} {4:.2f}v4M{3:.2f} {5:.2f}v4", x - 7, y, x + 3, x, y - 7, y + 3);
+      fmt::format("M{0:.2f} {1:.2f}h4M{2:.2f} {1:.2f}h4M{3:.2f} {4:.2f}v4M{3:.2f} {5:.2f}v4", x - 7, y, x + 3,
+                  x, y - 7, y + 3);
   svg.path(d, mark_edge, 2.6, "", "stroke-linecap=\"round\"");
   svg.path(d, mark, 1.2, "", "stroke-linecap=\"round\"");
 }
@@ -52,7 +53,8 @@ void small_ring(Svg& svg, double x, double y, double radius) {
 
 }  // namespace
 
-std::optional<DirectionPair> HemispherePixels::direction(double theta_i, std::size_t row, std::size_t column) const {
+std::optional<DirectionPair> HemispherePixels::direction(double theta_i, std::size_t row,
+                                                         std::size_t column) const {
   const double pixel = 2.0 / static_cast<double>(side_);
   const double x = (static_cast<double>(column) + 0.5) * pixel - 1;
   const double y = 1 - (static_cast<double>(row) + 0.5) * pixel;
@@ -63,7 +65,8 @@ std::optional<DirectionPair> HemispherePixels::direction(double theta_i, std::si
 }
 
 std::vector<double> HemispherePixels::values(
-    double theta_i, const std::function<std::vector<double>(std::span<const DirectionPair>)>& function) const {
+    double theta_i,
+    const std::function<std::vector<double>(std::span<const DirectionPair>)>& function) const {
   std::vector<DirectionPair> pairs;
   std::vector<std::size_t> places;
   for (std::size_t row = 0; row < side_ / 2; ++row)
@@ -104,18 +107,23 @@ std::string HemisphereFigure::svg() const {
   }
   const std::size_t rows = cells.back().row + 1;
   const std::size_t across =
-      std::max_element(cells.begin(), cells.end(), [](const Cell& a, const Cell& b) { return a.column < b.column; })->column + 1;
-  const bool headed = std::any_of(maps.begin(), maps.end(), [](const auto& map) { return !map.heading.empty(); });
+      std::max_element(cells.begin(), cells.end(),
+                       [](const Cell& a, const Cell& b) { return a.column < b.column; })
+          ->column +
+      1;
+  const bool headed =
+      std::any_of(maps.begin(), maps.end(), [](const auto& map) { return !map.heading.empty(); });
   const double radius = across <= 2 ? 130 : across == 3 ? 115 : 102;
   const double step_x = 2 * radius + gap;
   const double above_map = map_title_space + (headed ? heading_space : 0);
   const double step_y = above_map + 2 * radius + below_map;
   const double maps_right = margin + left_of_maps + static_cast<double>(across) * step_x - gap;
   const double keys_width = margin + left_of_maps + (footnote.empty() ? 240 : 380);
-  const double foot_width = std::max(keys_width, margin + left_of_maps + 1.1 * text_width(footnote, foot_size));
+  const double foot_width =
+      std::max(keys_width, margin + left_of_maps + 1.1 * text_width(footnote, foot_size));
   const double footnote_space = footnote.empty() ? 0 : 20;
-  const double width = std::ceil(std::max(
-      {maps_right + bar_space, 2 * margin + text_width(title, 16, true), 2 * margin + text_width(subtitle, 12.5), foot_width}));
+  const double width = std::ceil(std::max({maps_right + bar_space, 2 * margin + text_width(title, 16, true),
+                                           2 * margin + text_width(subtitle, 12.5), foot_width}));
   const double height = std::ceil(head + static_cast<double>(rows) * step_y + 30 + footnote_space);
   Svg svg(width, height);
   svg.text(margin, 26, title, {.anchor = "start", .size = 16, .bold = true});
@@ -136,7 +144,8 @@ std::string HemisphereFigure::svg() const {
     svg.image({disc.x - radius, disc.y - radius, disc.x + radius, disc.y + radius}, png(raster));
     svg.end_group();
     svg.begin_group("opacity=\"0.4\"");
-    for (const double theta : {30, 60}) svg.ring(disc.x, disc.y, radius * std::sin(theta * degree), mark, 0.8);
+    for (const double theta : {30, 60})
+      svg.ring(disc.x, disc.y, radius * std::sin(theta * degree), mark, 0.8);
     svg.line(disc.x - radius, disc.y, disc.x + radius, disc.y, mark, 0.8);
     svg.end_group();
     svg.ring(disc.x, disc.y, radius, inks::frame);
@@ -144,7 +153,8 @@ std::string HemisphereFigure::svg() const {
     small_ring(svg, disc.alpha(-std::sin(map.theta_i * degree)), disc.y, 4);
     if (map.marked) {
       const double r = std::sin(map.marked->theta_s * degree);
-      const double x = disc.alpha(r * std::cos(map.marked->phi * degree)), y = disc.beta(r * std::sin(map.marked->phi * degree));
+      const double x = disc.alpha(r * std::cos(map.marked->phi * degree)),
+                   y = disc.beta(r * std::sin(map.marked->phi * degree));
       small_ring(svg, x, y, 8);
       small_ring(svg, x, y, 11);
     }
@@ -155,12 +165,14 @@ std::string HemisphereFigure::svg() const {
       if (tick != -0.5 && tick != 0.5) svg.text(x, disc.y + radius + 19, number_label(tick), {.size = 11.5});
       if (cells[k].column != 0) continue;
       svg.line(disc.x - radius - 6, y, disc.x - radius - 2, y, inks::frame);
-      if (tick != -0.5 && tick != 0.5) svg.text(disc.x - radius - 9, y + 4, number_label(tick), {.anchor = "end", .size = 11.5});
+      if (tick != -0.5 && tick != 0.5)
+        svg.text(disc.x - radius - 9, y + 4, number_label(tick), {.anchor = "end", .size = 11.5});
     }
-    if (cells[k].column == 0) svg.text(disc.x - radius - 30, disc.y, "sin θ_s sin φ", {.size = 12, .turned = -90});
+    if (cells[k].column == 0)
+      svg.text(disc.x - radius - 30, disc.y, "sin θ_s sin φ", {.size = 12, .turned = -90});
     if (last_row) svg.text(disc.x, disc.y + radius + 36, "sin θ_s cos φ", {.size = 12});
-    data += fmt::format(R"({}{{"theta_i":{:.9g},"x":{:.2f},"y":{:.2f},"radius":{:.2f}}})", k ? "," : "", map.theta_i, disc.x,
-                        disc.y, radius);
+    data += fmt::format(R"({}{{"theta_i":{:.9g},"x":{:.2f},"y":{:.2f},"radius":{:.2f}}})", k ? "," : "",
+                        map.theta_i, disc.x, disc.y, radius);
   }
   // The scale, from the bottom of the first row of maps to its top; higher where there are more rows.
   const double bar_top = head + above_map;
@@ -192,13 +204,16 @@ std::string HemisphereFigure::svg() const {
   key("mirror direction", [&](double at, double y) { cross(svg, at, y); });
   key("retro-reflection", [&](double at, double y) { small_ring(svg, at, y, 4); });
   if (std::any_of(maps.begin(), maps.end(), [](const auto& map) { return map.marked.has_value(); }))
-    key("largest difference", [&](double at, double y) { small_ring(svg, at, y, 4), small_ring(svg, at, y, 7); });
-  svg.text(margin + left_of_maps - 8, height - 12, footnote, {.anchor = "start", .size = foot_size, .ink = inks::faint_text});
+    key("largest difference",
+        [&](double at, double y) { small_ring(svg, at, y, 4), small_ring(svg, at, y, 7); });
+  svg.text(margin + left_of_maps - 8, height - 12, footnote,
+           {.anchor = "start", .size = foot_size, .ink = inks::faint_text});
   return svg.document(
       plain_text(title),
-      fmt::format(R"({{"title":{},"scale":{{"label":{},"low":{:.9g},"high":{:.9g},"logarithmic":{}}},"maps":[{}]}})",
-                  nlohmann::json(plain_text(title)).dump(), nlohmann::json(plain_text(scale.label)).dump(), scale.low, scale.high,
-                  scale.logarithmic, data));
+      fmt::format(
+          R"({{"title":{},"scale":{{"label":{},"low":{:.9g},"high":{:.9g},"logarithmic":{}}},"maps":[{}]}})",
+          nlohmann::json(plain_text(title)).dump(), nlohmann::json(plain_text(scale.label)).dump(), scale.low,
+          scale.high, scale.logarithmic, data));
 }
 
 }  // namespace brdftab

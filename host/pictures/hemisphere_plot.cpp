@@ -20,7 +20,8 @@ std::vector<double> incidences(const Subject& subject, const PlotOptions& option
 
 }  // namespace
 
-std::string hemisphere_plot(std::span<const Subject> subjects, const PlotOptions& options, const EngineSource& engine) {
+std::string hemisphere_plot(std::span<const Subject> subjects, const PlotOptions& options,
+                            const LazyEngine& engine) {
   const Polarization polarization = drawn_polarization(subjects, options);
   HemisphereFigure figure{.title = picture_title(subjects, "BRDF over the hemisphere"),
                           .subtitle = light_text(subjects[0], options, polarization),
@@ -34,7 +35,8 @@ std::string hemisphere_plot(std::span<const Subject> subjects, const PlotOptions
     const auto theta_i = incidences(subject, options);
     if (subject.is_table()) {
       if (!has_hemispheres(subject.table().grid))
-        throw BadInput("{}: its azimuths leave gaps above 90 degrees: there is no hemisphere to draw", subject.file());
+        throw BadInput("{}: its azimuths leave gaps above 90 degrees: there is no hemisphere to draw",
+                       subject.file());
       const auto nodes = subject.nodes_theta_i(theta_i);
       for (std::size_t i = 0; i < theta_i.size(); ++i) {
         const TableSlice slice = TableSlice::read(subject, nodes[i], band, polarization);
@@ -43,10 +45,11 @@ std::string hemisphere_plot(std::span<const Subject> subjects, const PlotOptions
     } else {
       const DrawnModel model(engine(), subject, band, polarization);
       for (const double angle : theta_i)
-        figure.maps.push_back({"", angle,
-                               HemisphereFigure::pixels().values(
-                                   angle, [&](std::span<const DirectionPair> pairs) { return model.brdf_of_many(pairs); }),
-                               std::nullopt});
+        figure.maps.push_back(
+            {"", angle,
+             HemisphereFigure::pixels().values(
+                 angle, [&](std::span<const DirectionPair> pairs) { return model.brdf_of_many(pairs); }),
+             std::nullopt});
     }
     for (std::size_t i = 0; i < theta_i.size(); ++i) {
       auto& title = figure.maps[figure.maps.size() - theta_i.size() + i].title;
@@ -62,7 +65,8 @@ std::string hemisphere_plot(std::span<const Subject> subjects, const PlotOptions
   }
   std::vector<double> positive;
   for (const auto& map : figure.maps)
-    std::copy_if(map.values.begin(), map.values.end(), std::back_inserter(positive), [](double f) { return f > 0; });
+    std::copy_if(map.values.begin(), map.values.end(), std::back_inserter(positive),
+                 [](double f) { return f > 0; });
   figure.scale = colour_axis(brdf_axis_label, std::move(positive));
   return figure.svg();
 }

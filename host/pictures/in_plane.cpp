@@ -24,7 +24,8 @@ std::optional<double> in_plane_theta_s(const DirectionPair& pair) {
   return std::nullopt;
 }
 
-std::vector<InPlaneScan> in_plane_scans(std::span<const MeasuredSample> samples, const Incidences& incidences) {
+std::vector<InPlaneScan> in_plane_scans(std::span<const MeasuredSample> samples,
+                                        const Incidences& incidences) {
   std::vector<InPlaneScan> scans;
   for (const double theta_i : incidences.angles()) scans.push_back({theta_i, {}});
   for (const MeasuredSample& sample : samples)
@@ -41,7 +42,9 @@ std::string not_drawn_note(std::span<const MeasuredSample> samples) {
   return count > 0 ? fmt::format("not drawn: {} at or below 0", count) : "";
 }
 
-ChartAxis theta_s_axis() { return {"scatter angle θ_s (degrees; forward side positive)", -90, 90, false, 30}; }
+ChartAxis theta_s_axis() {
+  return {"scatter angle θ_s (degrees; forward side positive)", -90, 90, false, 30};
+}
 
 ChartAxis narrow_theta_s_axis() { return {"θ_s (degrees)", -90, 90, false, 30}; }
 

@@ -14,9 +14,11 @@
 namespace brdftab {
 
 inline constexpr const char* brdf_axis_label = "BRDF f_r (sr^{−1})";
-inline constexpr double usual_incidences[] = {0, 10, 20, 30, 40, 50, 60, 70, 80};  // degrees, as the paper's Fig. 3
+inline constexpr double usual_incidences[] = {0,  10, 20, 30, 40,
+                                              50, 60, 70, 80};  // degrees, as the paper's Fig. 3
 
-/// Signed theta_s of a sample, where it is within 3 degrees of azimuth of the plane, or within 0.1 degrees of the normal.
+/// Signed theta_s of a sample, where it is within 3 degrees of azimuth of the plane, or within 0.1 degrees of
+/// the normal.
 std::optional<double> in_plane_theta_s(const DirectionPair& pair);
 
 /// What was measured in plane at one setting of theta_i, degrees: f over the signed theta_s.
@@ -25,9 +27,10 @@ struct InPlaneScan {
   std::vector<ChartPoint> points;
 };
 
-/// By increasing theta_i; the samples' angles are among those of `incidences`. Readings at or below 0, which noise makes, have no
-/// place on a logarithmic axis: they are left out.
-std::vector<InPlaneScan> in_plane_scans(std::span<const MeasuredSample> samples, const Incidences& incidences);
+/// By increasing theta_i; the samples' angles are among those of `incidences`. Readings at or below 0, which
+/// noise makes, have no place on a logarithmic axis: they are left out.
+std::vector<InPlaneScan> in_plane_scans(std::span<const MeasuredSample> samples,
+                                        const Incidences& incidences);
 
 /// For a chart: how many readings in plane are left out for that; empty where none are.
 std::string not_drawn_note(std::span<const MeasuredSample> samples);

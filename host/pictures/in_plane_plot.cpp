@@ -5,9 +5,9 @@
 
 #include "host/base/error.hpp"
 #include "host/base/numbers.hpp"
+#include "host/pictures/drawing/smooth_curve.hpp"
 #include "host/pictures/in_plane.hpp"
 #include "host/pictures/plot.hpp"
-#include "host/pictures/drawing/smooth_curve.hpp"
 #include "host/pictures/table_slice.hpp"
 
 namespace brdftab {
@@ -31,14 +31,16 @@ std::vector<double> incidences(const Subject& subject, const PlotOptions& option
   }
   if (measured.empty() || subject.is_table()) return subject.usual_theta_i(usual_incidences);
   std::vector<double> angles;
-  for (const std::size_t k : spread_indices(measured.size(), most_measured)) angles.push_back(measured[k].theta_i);
+  for (const std::size_t k : spread_indices(measured.size(), most_measured))
+    angles.push_back(measured[k].theta_i);
   return angles;
 }
 
 std::vector<ChartPoint> at_incidence(const Scans& measured, double theta_i, double width) {
   const auto distance = [&](const InPlaneScan& scan) { return std::abs(scan.theta_i - theta_i); };
-  const auto nearest =
-      std::min_element(measured.begin(), measured.end(), [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
+  const auto nearest = std::min_element(measured.begin(), measured.end(), [&](const auto& a, const auto& b) {
+    return distance(a) < distance(b);
+  });
   if (nearest == measured.end() || distance(*nearest) > std::max(same_incidence, 0.5 * width)) return {};
   return nearest->points;
 }
@@ -54,10 +56,13 @@ ChartAxis axis_around(const std::vector<Panel>& panels) {
   return logarithmic_axis(brdf_axis_label, low, high);
 }
 
-Chart in_plane_chart(std::span<const Subject> subjects, const PlotOptions& options, const EngineSource& engine) {
+Chart in_plane_chart(std::span<const Subject> subjects, const PlotOptions& options,
+                     const LazyEngine& engine) {
   const Polarization polarization = drawn_polarization(subjects, options);
-  const Scans measured = options.data ? in_plane_scans(options.data->samples, options.data->incidences()) : Scans{};
-  if (options.data && measured.empty()) throw BadInput("{}: no sample lies in the plane of incidence", options.data->source);
+  const Scans measured =
+      options.data ? in_plane_scans(options.data->samples, options.data->incidences()) : Scans{};
+  if (options.data && measured.empty())
+    throw BadInput("{}: no sample lies in the plane of incidence", options.data->source);
   Chart chart{.title = picture_title(subjects, "BRDF in the plane of incidence"),
               .subtitle = light_text(subjects[0], options, polarization),
               .legend_title = "incidence θ_i",
@@ -76,15 +81,18 @@ Chart in_plane_chart(std::span<const Subject> subjects, const PlotOptions& optio
     Panel panel{.title = subjects.size() > 1 ? labels[k] : "",
                 .x = subjects.size() > 1 ? narrow_theta_s_axis() : theta_s_axis(),
                 .y = {}};
-    const auto curves = in_plane_curves(theta_i, [&](std::span<const DirectionPair> pairs) { return model.brdf(pairs); });
+    const auto curves =
+        in_plane_curves(theta_i, [&](std::span<const DirectionPair> pairs) { return model.brdf(pairs); });
     for (std::size_t i = 0; i < theta_i.size(); ++i) panel.line(incidence_label(theta_i[i]), curves[i]);
     for (std::size_t i = 0; i < theta_i.size(); ++i) {
       if (subject.is_table() && measured.empty()) {
         const auto node = subject.nodes_theta_i({&theta_i[i], 1})[0];
-        panel.dots(incidence_label(theta_i[i]), TableSlice::read(subject, node, band, polarization).in_plane(), node_radius);
+        panel.dots(incidence_label(theta_i[i]),
+                   TableSlice::read(subject, node, band, polarization).in_plane(), node_radius);
         any_table = true;
       }
-      if (auto points = at_incidence(measured, theta_i[i], options.data ? options.data->incidence_width : 0); !points.empty()) {
+      if (auto points = at_incidence(measured, theta_i[i], options.data ? options.data->incidence_width : 0);
+          !points.empty()) {
         panel.dots(incidence_label(theta_i[i]), std::move(points));
         ++shown;
       }
@@ -94,8 +102,10 @@ Chart in_plane_chart(std::span<const Subject> subjects, const PlotOptions& optio
   if (any_table) chart.notes = {"curves: the model", "dots: nodes of the table"};
   if (!measured.empty()) {
     chart.notes = {"curves: the model", "dots: measured"};
-    if (const std::string note = not_drawn_note(options.data->samples); !note.empty()) chart.notes.push_back(note);
-    if (shown < measured.size()) chart.notes.push_back(fmt::format("at {} of {} θ_i", shown, measured.size()));
+    if (const std::string note = not_drawn_note(options.data->samples); !note.empty())
+      chart.notes.push_back(note);
+    if (shown < measured.size())
+      chart.notes.push_back(fmt::format("at {} of {} θ_i", shown, measured.size()));
   }
   const ChartAxis y = axis_around(chart.panels);
   for (Panel& panel : chart.panels) panel.y = y;
@@ -104,11 +114,13 @@ Chart in_plane_chart(std::span<const Subject> subjects, const PlotOptions& optio
 
 }  // namespace
 
-std::string in_plane_plot(std::span<const Subject> subjects, const PlotOptions& options, const EngineSource& engine) {
+std::string in_plane_plot(std::span<const Subject> subjects, const PlotOptions& options,
+                          const LazyEngine& engine) {
   return in_plane_chart(subjects, options, engine).svg();
 }
 
-std::string polar_plot(std::span<const Subject> subjects, const PlotOptions& options, const EngineSource& engine) {
+std::string polar_plot(std::span<const Subject> subjects, const PlotOptions& options,
+                       const LazyEngine& engine) {
   Chart chart = in_plane_chart(subjects, options, engine);
   chart.polar = true;
   chart.columns = 1;
@@ -117,7 +129,8 @@ std::string polar_plot(std::span<const Subject> subjects, const PlotOptions& opt
   return chart.svg();
 }
 
-std::string lobes_plot(std::span<const Subject> subjects, const PlotOptions& options, const EngineSource& engine) {
+std::string lobes_plot(std::span<const Subject> subjects, const PlotOptions& options,
+                       const LazyEngine& engine) {
   const Polarization polarization = drawn_polarization(subjects, options);
   Chart chart{.title = picture_title(subjects, "BRDF in the plane of incidence, by lobe"),
               .subtitle = light_text(subjects[0], options, polarization),
@@ -136,7 +149,8 @@ std::string lobes_plot(std::span<const Subject> subjects, const PlotOptions& opt
       const auto curves = in_plane_curves(theta_i, values);
       bool scatters = false;
       for (std::size_t i = 0; i < theta_i.size(); ++i) {
-        scatters |= std::any_of(curves[i].begin(), curves[i].end(), [](const ChartPoint& point) { return point.y > 0; });
+        scatters |= std::any_of(curves[i].begin(), curves[i].end(),
+                                [](const ChartPoint& point) { return point.y > 0; });
         panel.line(incidence_label(theta_i[i]), curves[i]);
       }
       if (!scatters) {
@@ -153,11 +167,13 @@ std::string lobes_plot(std::span<const Subject> subjects, const PlotOptions& opt
           [&](std::span<const DirectionPair> pairs) { return model.brdf(lobe, pairs); });
   }
   const ChartAxis around = axis_around(totals);
-  const ChartAxis y = logarithmic_axis(around.label, around.low * std::pow(10, -lobe_decades), around.high / 1.06, 9);
+  const ChartAxis y =
+      logarithmic_axis(around.label, around.low * std::pow(10, -lobe_decades), around.high / 1.06, 9);
   for (Panel& panel : chart.panels) {
     panel.y = y;
     const bool seen = std::any_of(panel.series.begin(), panel.series.end(), [&](const Series& series) {
-      return std::any_of(series.points.begin(), series.points.end(), [&](const ChartPoint& p) { return p.y > y.low; });
+      return std::any_of(series.points.begin(), series.points.end(),
+                         [&](const ChartPoint& p) { return p.y > y.low; });
     });
     if (!panel.series.empty() && !seen) panel.note = "below the axis";
   }

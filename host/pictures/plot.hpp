@@ -24,25 +24,27 @@ struct PlotOptions {
 };
 
 /// The device's engine, built when a picture first needs it.
-using EngineSource = std::function<const Engine&()>;
+using LazyEngine = std::function<const Engine&()>;
 
-using Plot = std::string (*)(std::span<const Subject> subjects, const PlotOptions& options, const EngineSource& engine);
+using Plot = std::string (*)(std::span<const Subject> subjects, const PlotOptions& options,
+                             const LazyEngine& engine);
 
-/// f against theta_s in the plane of incidence, one curve for each theta_i, as the paper's Fig. 3; the nodes of a table, and
-/// measured points, as dots.
-std::string in_plane_plot(std::span<const Subject>, const PlotOptions&, const EngineSource&);
+/// f against theta_s in the plane of incidence, one curve for each theta_i, as the paper's Fig. 3; the nodes
+/// of a table, and measured points, as dots.
+std::string in_plane_plot(std::span<const Subject>, const PlotOptions&, const LazyEngine&);
 /// The same with theta_s as the angle and log f as the radius.
-std::string polar_plot(std::span<const Subject>, const PlotOptions&, const EngineSource&);
+std::string polar_plot(std::span<const Subject>, const PlotOptions&, const LazyEngine&);
 /// f and its parts, the surface, bulk and retro lobes, in the plane of incidence.
-std::string lobes_plot(std::span<const Subject>, const PlotOptions&, const EngineSource&);
+std::string lobes_plot(std::span<const Subject>, const PlotOptions&, const LazyEngine&);
 /// f over the hemisphere in direction cosines: of a table its own nodes, of a material the model.
-std::string hemisphere_plot(std::span<const Subject>, const PlotOptions&, const EngineSource&);
+std::string hemisphere_plot(std::span<const Subject>, const PlotOptions&, const LazyEngine&);
 /// V_m against theta_s, as the paper's Fig. 2, and V(chi).
-std::string shadowing_plot(std::span<const Subject>, const PlotOptions&, const EngineSource&);
+std::string shadowing_plot(std::span<const Subject>, const PlotOptions&, const LazyEngine&);
 /// DHR and its lobes against theta_i for unpolarised, s- and p-polarised light.
-std::string dhr_plot(std::span<const Subject>, const PlotOptions&, const EngineSource&);
-/// The ratio of f of two subjects over the hemisphere: at the nodes that tables share, and for materials everywhere.
-std::string compare_plot(std::span<const Subject>, const PlotOptions&, const EngineSource&);
+std::string dhr_plot(std::span<const Subject>, const PlotOptions&, const LazyEngine&);
+/// The ratio of f of two subjects over the hemisphere: at the nodes that tables share, and for materials
+/// everywhere.
+std::string compare_plot(std::span<const Subject>, const PlotOptions&, const LazyEngine&);
 
 struct PlotRow {
   const char* name;
@@ -61,7 +63,8 @@ inline constexpr PlotRow plot_table[] = {
 };
 
 /// Throws BadInput where data cannot be shown, or subjects are too many or too few for the kind.
-std::string plot(const PlotRow& row, std::span<const Subject> subjects, const PlotOptions& options, const EngineSource& engine);
+std::string plot(const PlotRow& row, std::span<const Subject> subjects, const PlotOptions& options,
+                 const LazyEngine& engine);
 
 /// Of the light in a picture. Throws BadInput where a table does not have what is asked.
 Polarization drawn_polarization(std::span<const Subject> subjects, const PlotOptions& options);
@@ -73,6 +76,7 @@ std::vector<std::string> subject_labels(std::span<const Subject> subjects);
 std::string picture_title(std::span<const Subject> subjects, std::string_view title);
 
 /// "unpolarised, 550 nm" and the like.
-std::string light_text(const Subject& subject, const PlotOptions& options, std::optional<Polarization> polarization);
+std::string light_text(const Subject& subject, const PlotOptions& options,
+                       std::optional<Polarization> polarization);
 
 }  // namespace brdftab

@@ -1,10 +1,11 @@
 // Masking and shadowing: V_m of Eq. (13) and V of Eq. (10), by the scalar reference.
+#include "host/pictures/shadowing_plot.hpp"
+
 #include <cmath>
 
+#include "host/pictures/drawing/smooth_curve.hpp"
 #include "host/pictures/in_plane.hpp"
 #include "host/pictures/plot.hpp"
-#include "host/pictures/shadowing_plot.hpp"
-#include "host/pictures/drawing/smooth_curve.hpp"
 #include "host/reference/reflectance_shadowing.hpp"
 #include "host/reference/width_shadowing.hpp"
 
@@ -17,16 +18,18 @@ constexpr double shown_incidences[] = {30, 70};
 
 Panel reflectance_shadowing_panel(const Parameters& p, std::span<const double> theta_i) {
   const reference::ReflectanceShadowingParameters parameters{p.w_a, p.w_b, p.gamma, p.delta};
-  Panel panel{.title = "V_m on the reflectance, Eq. (13)", .x = narrow_theta_s_axis(), .y = {"V_m", 0, 1.05, false, 0.2}};
+  Panel panel{.title = "V_m on the reflectance, Eq. (13)",
+              .x = narrow_theta_s_axis(),
+              .y = {"V_m", 0, 1.05, false, 0.2}};
   const double plane[] = {0};
   const auto curves = smooth_curves(
       std::vector(theta_i.size(), curve_starts(-89.99, 89.99, 1, plane)),
       [&](std::span<const CurvePlace> places) {
         std::vector<double> values;
         for (const CurvePlace& place : places)
-          values.push_back(static_cast<double>(
-              reference::reflectance_shadowing(parameters, reference::Direction::from_degrees(theta_i[place.curve]),
-                                               reference::Direction::from_degrees(std::abs(place.x)), place.x < 0 ? 180 : 0)));
+          values.push_back(static_cast<double>(reference::reflectance_shadowing(
+              parameters, reference::Direction::from_degrees(theta_i[place.curve]),
+              reference::Direction::from_degrees(std::abs(place.x)), place.x < 0 ? 180 : 0)));
         return values;
       },
       false);
@@ -34,7 +37,7 @@ Panel reflectance_shadowing_panel(const Parameters& p, std::span<const double> t
   return panel;
 }
 
-std::string shadowing_plot(std::span<const Subject> subjects, const PlotOptions& options, const EngineSource&) {
+std::string shadowing_plot(std::span<const Subject> subjects, const PlotOptions& options, const LazyEngine&) {
   Chart chart{.title = picture_title(subjects, "masking and shadowing"),
               .subtitle = light_text(subjects[0], options, std::nullopt),
               .legend_title = "incidence θ_i",
@@ -48,25 +51,27 @@ std::string shadowing_plot(std::span<const Subject> subjects, const PlotOptions&
   for (std::size_t k = 0; k < subjects.size(); ++k) {
     const Subject& subject = subjects[k];
     const Parameters& p = subject.material().bands()[subject.band(options.wavelength_nm)].parameters;
-    const ModelSwitches& switches = subject.material().switches();
+    const Variant& variant = subject.material().variant();
     const std::vector<double> theta_i =
-        options.theta_i ? *options.theta_i : std::vector<double>(std::begin(shown_incidences), std::end(shown_incidences));
+        options.theta_i ? *options.theta_i
+                        : std::vector<double>(std::begin(shown_incidences), std::end(shown_incidences));
     chart.panels.push_back(reflectance_shadowing_panel(p, theta_i));
     if (subjects.size() > 1) chart.panels.back().heading = labels[k];
-    if (switches.reflectance_shadowing == ReflectanceShadowing::none) {
+    if (variant.reflectance_shadowing == ReflectanceShadowing::none) {
       chart.panels.back().series.clear();
       chart.panels.back().note = "switched off: V_m = 1";
     }
     Panel width{.title = "V on the lobes' width, Eq. (10)",
                 .x = {"χ = sin θ_i or sin θ_s", 0, 1, false, 0},
                 .y = {"V(χ)", 0, 1.05, false, 0.2}};
-    if (switches.width_shadowing)
+    if (variant.width_shadowing)
       width.line("", smooth_curves(
                          {curve_starts(0, 1, 0.01, {})},
                          [&](std::span<const CurvePlace> places) {
                            std::vector<double> values;
                            for (const CurvePlace& place : places)
-                             values.push_back(static_cast<double>(reference::width_shadowing(place.x * place.x, p.w, p.n)));
+                             values.push_back(static_cast<double>(
+                                 reference::width_shadowing(place.x * place.x, p.w, p.n)));
                            return values;
                          },
                          false)[0]);

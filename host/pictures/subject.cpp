@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "host/base/error.hpp"
-#include "host/formats/format.hpp"
 #include "host/base/numbers.hpp"
 #include "host/compute/sampled_model.hpp"
+#include "host/formats/format.hpp"
 
 namespace brdftab {
 namespace {
@@ -14,8 +14,9 @@ namespace {
 constexpr double same_angle = 1e-9;  // degrees
 
 std::size_t nearest(std::span<const double> nodes, double angle) {
-  const auto at =
-      std::min_element(nodes.begin(), nodes.end(), [&](double a, double b) { return std::abs(a - angle) < std::abs(b - angle); });
+  const auto at = std::min_element(nodes.begin(), nodes.end(), [&](double a, double b) {
+    return std::abs(a - angle) < std::abs(b - angle);
+  });
   return static_cast<std::size_t>(at - nodes.begin());
 }
 
@@ -45,7 +46,8 @@ std::size_t Subject::band(std::optional<double> wavelength_nm) const {
     if (std::abs(*bands[k].wavelength_nm - *wavelength_nm) <= 1e-6) return k;
     known.push_back(shortest(*bands[k].wavelength_nm));
   }
-  throw BadInput("--wavelength {}: {} has the bands {} nm", shortest(*wavelength_nm), file_, fmt::join(known, ", "));
+  throw BadInput("--wavelength {}: {} has the bands {} nm", shortest(*wavelength_nm), file_,
+                 fmt::join(known, ", "));
 }
 
 std::vector<std::size_t> Subject::nodes_theta_i(std::span<const double> theta_i) const {
@@ -72,12 +74,15 @@ std::vector<double> Subject::usual_theta_i(std::span<const double> wanted) const
 std::vector<double> DrawnModel::of(const Band& band, std::span<const DirectionPair> pairs) const {
   std::vector<double> f;
   f.reserve(pairs.size());
-  for (const PolarizedBrdf& value : evaluate(engine_, band, switches(), pairs)) {
-    f.push_back(polarization_ == Polarization::s ? value.s : polarization_ == Polarization::p ? value.p : value.unpolarized());
+  for (const PolarizedBrdf& value : evaluate(engine_, band, variant(), pairs)) {
+    f.push_back(polarization_ == Polarization::s   ? value.s
+                : polarization_ == Polarization::p ? value.p
+                                                   : value.unpolarized());
     if (!std::isfinite(f.back()))
-      throw BadInput("{}: f is not finite at theta_i = {}, theta_s = {}, phi = {} degrees: a lobe is too narrow there",
-                     subject_.file(), shortest(pairs[f.size() - 1].theta_i), shortest(pairs[f.size() - 1].model_theta_s()),
-                     shortest(pairs[f.size() - 1].model_phi()));
+      throw BadInput(
+          "{}: f is not finite at theta_i = {}, theta_s = {}, phi = {} degrees: a lobe is too narrow there",
+          subject_.file(), shortest(pairs[f.size() - 1].theta_i),
+          shortest(pairs[f.size() - 1].model_theta_s()), shortest(pairs[f.size() - 1].model_phi()));
   }
   return f;
 }
@@ -85,10 +90,10 @@ std::vector<double> DrawnModel::of(const Band& band, std::span<const DirectionPa
 std::vector<double> DrawnModel::brdf(std::span<const DirectionPair> pairs) const { return of(band_, pairs); }
 
 std::vector<double> DrawnModel::brdf_of_many(std::span<const DirectionPair> pairs) const {
-  if (switches().normalization != Normalization::reciprocal) return brdf(pairs);
+  if (variant().normalization != Normalization::reciprocal) return brdf(pairs);
   const auto& bands = subject_.material().bands();
-  const auto band =
-      std::find_if(bands.begin(), bands.end(), [&](const Band& b) { return b.wavelength_nm == band_.wavelength_nm; });
+  const auto band = std::find_if(bands.begin(), bands.end(),
+                                 [&](const Band& b) { return b.wavelength_nm == band_.wavelength_nm; });
   const double theta_i = pairs.front().theta_i;
   Directions directions;
   double last = 0;

@@ -32,12 +32,13 @@ double in_circle(double phi) {
   return positive > 360 - same_angle ? 0 : positive;
 }
 
-TableSlice TableSlice::read(const Subject& subject, std::size_t theta_i, std::size_t band, Polarization polarization) {
+TableSlice TableSlice::read(const Subject& subject, std::size_t theta_i, std::size_t band,
+                            Polarization polarization) {
   const Grid& grid = subject.table().grid;
   const Slab box{{theta_i, theta_i + 1}, {0, 1}, {0, grid.theta_s.size()}, grid.phi_s.size()};
   if (box.nodes() > most_nodes)
-    throw BadInput("{}: a hemisphere of this table has {} nodes: at most {} can be drawn", subject.file(), box.nodes(),
-                   most_nodes);
+    throw BadInput("{}: a hemisphere of this table has {} nodes: at most {} can be drawn", subject.file(),
+                   box.nodes(), most_nodes);
   std::vector<double> values(box.nodes());
   subject.reader().read(polarization, band, box, values);
   const auto theta_s = grid.theta_s.nodes();
@@ -49,10 +50,12 @@ TableSlice::TableSlice(std::vector<double> theta_s, std::vector<double> phi, std
   for (std::size_t k = 0; k < phi_.size(); ++k) circle_.push_back({in_circle(phi_[k]), k});
   // A node beats the image of another one.
   for (std::size_t k = 0; k < phi_.size(); ++k) circle_.push_back({in_circle(-phi_[k]), k});
-  std::stable_sort(circle_.begin(), circle_.end(), [](const Azimuth& a, const Azimuth& b) { return a.phi < b.phi - same_angle; });
-  circle_.erase(std::unique(circle_.begin(), circle_.end(),
-                            [](const Azimuth& a, const Azimuth& b) { return std::abs(a.phi - b.phi) <= same_angle; }),
-                circle_.end());
+  std::stable_sort(circle_.begin(), circle_.end(),
+                   [](const Azimuth& a, const Azimuth& b) { return a.phi < b.phi - same_angle; });
+  circle_.erase(
+      std::unique(circle_.begin(), circle_.end(),
+                  [](const Azimuth& a, const Azimuth& b) { return std::abs(a.phi - b.phi) <= same_angle; }),
+      circle_.end());
   circle_.push_back({circle_.front().phi + 360, circle_.front().column});
 }
 
@@ -67,10 +70,13 @@ double TableSlice::at(double theta_s, double phi) const {
   const auto above = std::upper_bound(theta_s_.begin(), theta_s_.end(), theta_s);
   const auto row = static_cast<std::size_t>(std::max<std::ptrdiff_t>(above - theta_s_.begin() - 1, 0));
   const std::size_t next_row = std::min(row + 1, theta_s_.size() - 1);
-  const double down = next_row > row ? std::clamp((theta_s - theta_s_[row]) / (theta_s_[next_row] - theta_s_[row]), 0.0, 1.0) : 0;
+  const double down =
+      next_row > row ? std::clamp((theta_s - theta_s_[row]) / (theta_s_[next_row] - theta_s_[row]), 0.0, 1.0)
+                     : 0;
   double turned = in_circle(phi);
   if (turned < circle_.front().phi) turned += 360;
-  auto next = std::upper_bound(circle_.begin(), circle_.end(), turned, [](double a, const Azimuth& b) { return a < b.phi; });
+  auto next = std::upper_bound(circle_.begin(), circle_.end(), turned,
+                               [](double a, const Azimuth& b) { return a < b.phi; });
   next = std::clamp(next, circle_.begin() + 1, circle_.end() - 1);
   const Azimuth& left = *(next - 1);
   const double along = std::clamp((turned - left.phi) / (next->phi - left.phi), 0.0, 1.0);
@@ -90,7 +96,8 @@ std::vector<double> TableSlice::at_pixels() const {
   return pixels.values(0, [&](std::span<const DirectionPair> pairs) {
     std::vector<double> values;
     for (const DirectionPair& pair : pairs)
-      values.push_back(std::sin(pair.theta_s * degree) < reach ? at(std::min(pair.theta_s, last), pair.phi) : std::nan(""));
+      values.push_back(std::sin(pair.theta_s * degree) < reach ? at(std::min(pair.theta_s, last), pair.phi)
+                                                               : std::nan(""));
     return values;
   });
 }
@@ -98,8 +105,8 @@ std::vector<double> TableSlice::at_pixels() const {
 std::vector<ChartPoint> TableSlice::in_plane() const {
   std::vector<ChartPoint> points;
   for (const auto& [phi, sign] : {std::pair{180.0, -1.0}, {0.0, 1.0}}) {
-    const auto at =
-        std::find_if(circle_.begin(), circle_.end(), [&](const Azimuth& a) { return std::abs(a.phi - phi) <= same_angle; });
+    const auto at = std::find_if(circle_.begin(), circle_.end(),
+                                 [&](const Azimuth& a) { return std::abs(a.phi - phi) <= same_angle; });
     if (at == circle_.end()) continue;
     for (std::size_t row = 0; row < theta_s_.size(); ++row)
       if (theta_s_[row] > 0 || sign > 0) points.push_back({sign * theta_s_[row], value(row, at->column)});

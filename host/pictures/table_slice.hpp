@@ -17,7 +17,8 @@ bool has_hemispheres(const Grid& grid);
 class TableSlice {
  public:
   /// At the first phi_i. Throws BadInput where a hemisphere has more nodes than can be drawn.
-  static TableSlice read(const Subject& subject, std::size_t theta_i, std::size_t band, Polarization polarization);
+  static TableSlice read(const Subject& subject, std::size_t theta_i, std::size_t band,
+                         Polarization polarization);
 
   /// Values [theta_s][phi] over nodes in degrees: theta_s increases, phi = phi_s - phi_i in any order.
   TableSlice(std::vector<double> theta_s, std::vector<double> phi, std::vector<double> values);
@@ -29,11 +30,12 @@ class TableSlice {
   /// Whether its azimuths, with their mirror images in the plane of incidence, leave no gap above 90 degrees.
   bool is_round() const;
 
-  /// Between nodes, linear in ln f; across the plane of incidence where nodes are missing, f being even in phi. nan beyond the
-  /// nodes.
+  /// Between nodes, linear in ln f; across the plane of incidence where nodes are missing, f being even in
+  /// phi. nan beyond the nodes.
   double at(double theta_s, double phi) const;
 
-  /// The same at the pixels of a HemisphereFigure; the last theta_s reaches to the rim if it is within a pixel of it.
+  /// The same at the pixels of a HemisphereFigure; the last theta_s reaches to the rim if it is within a
+  /// pixel of it.
   std::vector<double> at_pixels() const;
 
   /// The nodes in the plane of incidence, theta_s negative on the backward side.

@@ -58,8 +58,8 @@ std::vector<Interval<double>> intervals(double log_width) {
 
 template <class Function>
 Ring integrate_over_azimuth(const Function& f, double log_width) {
-  const auto integral =
-      integrate<15, 1>([&](int, double y) { return std::array<double, 1>{f(y)}; }, intervals(log_width), tolerance);
+  const auto integral = integrate<15, 1>([&](int, double y) { return std::array<double, 1>{f(y)}; },
+                                         intervals(log_width), tolerance);
   const double value = integral.value[0];
   return {value, value > 0 ? integral.error[0] / value : 0};
 }
@@ -69,8 +69,10 @@ Ring lorentzian(const Shadowing& shadowing, const Direction& in, const PolarNode
   const Real square = std::exp(node.log_square), u_in = in.sin * in.sin;
   const Real difference = node.out.sin + in.sin > 0 ? node.offset / (node.out.sin + in.sin) : 0;
   const Real sum = node.out.sin + in.sin;
-  const double log_width = static_cast<double>((std::log(difference * difference + square) - std::log(sum * sum + square)) / 2);
-  const Ring integral = integrate_over_azimuth([&](double y) { return shadowing(y + log_width) / std::cosh(y); }, log_width);
+  const double log_width =
+      static_cast<double>((std::log(difference * difference + square) - std::log(sum * sum + square)) / 2);
+  const Ring integral =
+      integrate_over_azimuth([&](double y) { return shadowing(y + log_width) / std::cosh(y); }, log_width);
   const Real root = std::sqrt(node.offset * node.offset + square * (2 * (node.u + u_in) + square));
   return {integral.value / root, integral.error};
 }
@@ -103,7 +105,8 @@ Ring gaussian(const Shadowing& shadowing, const Direction& in, const PolarNode& 
 
 Ring azimuth_integral(const AzimuthLobe& lobe, const Direction& in, const PolarNode& node) {
   const Shadowing shadowing(lobe, node);
-  return lobe.autocovariance == Autocovariance::gaussian ? gaussian(shadowing, in, node) : lorentzian(shadowing, in, node);
+  return lobe.autocovariance == Autocovariance::gaussian ? gaussian(shadowing, in, node)
+                                                         : lorentzian(shadowing, in, node);
 }
 
 Real shadowing_at_peak(const AzimuthLobe& lobe, const Direction& in) {

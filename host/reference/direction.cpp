@@ -33,8 +33,8 @@ struct BisectorFrame {
 
 BisectorFrame bisector_frame(double theta_i, double theta_s, double phi) {
   const Real i = theta_i, s = theta_s, half_phi = Real(phi) / 2;
-  return {2 * cos_degrees((s + i) / 2) * sin_degrees((s - i) / 2), sin_degrees(s) + sin_degrees(i), cos_degrees(half_phi),
-          sin_degrees(half_phi)};
+  return {2 * cos_degrees((s + i) / 2) * sin_degrees((s - i) / 2), sin_degrees(s) + sin_degrees(i),
+          cos_degrees(half_phi), sin_degrees(half_phi)};
 }
 
 }  // namespace

@@ -27,7 +27,8 @@ Polarized reflectance(Complex m, const Direction& direction) {
   // (μ − c)(μ + c) = 1 − m²;  (m²μ − c)(m²μ + c) = (m² − 1)(mμ − sin θ)(mμ + sin θ).
   const Complex s = contrast(m) / ((mu + c) * (mu + c));
   const Complex denominator = m * m * mu + c;
-  const Complex p = contrast(m) * (m * mu - direction.sin) * (m * mu + direction.sin) / (denominator * denominator);
+  const Complex p =
+      contrast(m) * (m * mu - direction.sin) * (m * mu + direction.sin) / (denominator * denominator);
   return {std::norm(s), std::norm(p)};
 }
 
@@ -37,7 +38,8 @@ Polarized transmittance(Complex m, const Direction& direction) {
   // 1 − |a − b|²/|a + b|² = 4 Re(a b*)/|a + b|².  For p, a = m²μ, b = c and
   // Re(m² c*) = Re(c) (|c|² + sin²θ), because m² = c² + sin²θ.
   const Real s = 4 * mu * c.real() / std::norm(mu + c);
-  const Real p = 4 * mu * c.real() * (std::norm(c) + direction.sin * direction.sin) / std::norm(m * m * mu + c);
+  const Real p =
+      4 * mu * c.real() * (std::norm(c) + direction.sin * direction.sin) / std::norm(m * m * mu + c);
   return {s, p};
 }
 

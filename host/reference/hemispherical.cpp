@@ -26,11 +26,11 @@ std::vector<Real> Model::kinks() const {
 
 std::array<Estimate, 2> Model::lobe_dhr(Lobe lobe, const Direction& in) const {
   if (amplitude(lobe) == 0) return {};
-  const bool reciprocal = switches_.normalization == Normalization::reciprocal;
+  const bool reciprocal = variant_.normalization == Normalization::reciprocal;
   std::vector<Real> breakpoints = shadowing_steps(width(lobe));
   for (const Real kink : kinks()) breakpoints.push_back(kink);
   const PolarPath path(in, width(lobe), breakpoints);
-  const AzimuthLobe azimuth{switches_.autocovariance, lobe == Lobe::retro, shadowed(lobe), shadowing(),
+  const AzimuthLobe azimuth{variant_.autocovariance, lobe == Lobe::retro, shadowed(lobe), shadowing(),
                             forward_onset(shadowing(), in)};
   const LogEstimate log_n = log_normalization_at(lobe, in);
 
@@ -44,17 +44,20 @@ std::array<Estimate, 2> Model::lobe_dhr(Lobe lobe, const Direction& in) const {
     if (amplitudes.s == 0 && amplitudes.p == 0) return {};
     const Ring ring = azimuth_integral(azimuth, in, node);
     Real weight = ring.value * node.jacobian;
-    if (reciprocal && weight > 0) weight *= std::exp((log_normalization_at(lobe, node.out).log - log_n.log) / 2);
+    if (reciprocal && weight > 0)
+      weight *= std::exp((log_normalization_at(lobe, node.out).log - log_n.log) / 2);
     const Real s = amplitudes.s * weight, p = amplitudes.p * weight;
     return {s, p, s * ring.error, p * ring.error};
   };
   // A Gaussian narrower than the core has nothing outside it.
   const bool point = path.core() > 0 && azimuth.autocovariance == Autocovariance::gaussian;
   const auto intervals = point ? std::vector<Interval<Real>>{} : path.intervals();
-  const auto integral = integrate<15, 4, 2>(integrand, intervals, reciprocal ? reciprocal_dhr_tolerance : dhr_tolerance, 40);
+  const auto integral =
+      integrate<15, 4, 2>(integrand, intervals, reciprocal ? reciprocal_dhr_tolerance : dhr_tolerance, 40);
   Real core = 0;
   if (path.core() > 0)
-    core = std::exp(log_core_integral(switches_.autocovariance, path) + log_n.log) * shadowing_at_peak(azimuth, in);
+    core = std::exp(log_core_integral(variant_.autocovariance, path) + log_n.log) *
+           shadowing_at_peak(azimuth, in);
   const Polarized at_peak = strength(in);
   const auto estimate = [&](int k, Real peak) -> Estimate {
     const Real scale = std::exp(log_n.log);
@@ -96,7 +99,8 @@ Reflectance Model::bhr() const {
         const Direction in = Direction::from_degrees(theta);
         const Reflectance r = dhr(in);
         const double weight = static_cast<double>(2 * in.sin * in.cos) * degree;
-        const std::array<Estimate, 6> parts{r.s.surface, r.s.bulk, r.s.retro, r.p.surface, r.p.bulk, r.p.retro};
+        const std::array<Estimate, 6> parts{r.s.surface, r.s.bulk, r.s.retro,
+                                            r.p.surface, r.p.bulk, r.p.retro};
         std::array<double, 6> values;
         for (std::size_t k = 0; k < 6; ++k) {
           values[k] = weight * parts[k].value;

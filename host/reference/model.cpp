@@ -30,7 +30,9 @@ Estimate mean(const Estimate& a, const Estimate& b) {
 
 }  // namespace
 
-Lobes Brdf::unpolarized() const { return {mean(s.surface, p.surface), mean(s.bulk, p.bulk), mean(s.retro, p.retro)}; }
+Lobes Brdf::unpolarized() const {
+  return {mean(s.surface, p.surface), mean(s.bulk, p.bulk), mean(s.retro, p.retro)};
+}
 
 Estimate LobeReflectance::total() const {
   const double sum = surface.value + bulk.value + retro.value;
@@ -47,9 +49,10 @@ struct Model::Cache {
   std::map<std::pair<Lobe, double>, LogEstimate> log_normalization;
 };
 
-Model::Model(const Parameters& parameters, const ModelSwitches& switches)
-    : parameters_(parameters), switches_(switches), cache_(std::make_shared<Cache>()) {
-  if (switches.normalization == Normalization::closed_form && switches.autocovariance == Autocovariance::gaussian)
+Model::Model(const Parameters& parameters, const Variant& variant)
+    : parameters_(parameters), variant_(variant), cache_(std::make_shared<Cache>()) {
+  if (variant.normalization == Normalization::closed_form &&
+      variant.autocovariance == Autocovariance::gaussian)
     throw std::invalid_argument("the closed form of N, Eq. (8), is of the Lorentzian lobe only");
 }
 
@@ -57,7 +60,7 @@ Width Model::width(Lobe lobe) const {
   const double rho = lobe == Lobe::surface ? parameters_.rho_surface
                      : lobe == Lobe::bulk  ? parameters_.rho_bulk
                                            : parameters_.rho_retro;
-  return {rho, parameters_.w, parameters_.n, switches_.foreshortening, switches_.width_shadowing};
+  return {rho, parameters_.w, parameters_.n, variant_.foreshortening, variant_.width_shadowing};
 }
 
 double Model::amplitude(Lobe lobe) const {
@@ -67,8 +70,8 @@ double Model::amplitude(Lobe lobe) const {
 }
 
 bool Model::shadowed(Lobe lobe) const {
-  return switches_.reflectance_shadowing == ReflectanceShadowing::all ||
-         (switches_.reflectance_shadowing == ReflectanceShadowing::surface && lobe == Lobe::surface);
+  return variant_.reflectance_shadowing == ReflectanceShadowing::all ||
+         (variant_.reflectance_shadowing == ReflectanceShadowing::surface && lobe == Lobe::surface);
 }
 
 ReflectanceShadowingParameters Model::shadowing() const {
@@ -76,8 +79,9 @@ ReflectanceShadowingParameters Model::shadowing() const {
 }
 
 LogEstimate Model::log_normalization_at(Lobe lobe, const Direction& in) const {
-  if (switches_.normalization == Normalization::closed_form) return log_normalization_closed_form(width(lobe).rho, in);
-  return log_normalization(switches_.autocovariance, width(lobe), in);
+  if (variant_.normalization == Normalization::closed_form)
+    return log_normalization_closed_form(width(lobe).rho, in);
+  return log_normalization(variant_.autocovariance, width(lobe), in);
 }
 
 LogEstimate Model::cached_log_normalization(Lobe lobe, double theta) const {
@@ -94,7 +98,7 @@ LogEstimate Model::cached_log_normalization(Lobe lobe, double theta) const {
 
 LogEstimate Model::pair_log_normalization(Lobe lobe, double theta_i, double theta_s) const {
   const LogEstimate i = cached_log_normalization(lobe, theta_i);
-  if (switches_.normalization != Normalization::reciprocal) return i;
+  if (variant_.normalization != Normalization::reciprocal) return i;
   const LogEstimate s = cached_log_normalization(lobe, theta_s);
   return {(i.log + s.log) / 2, (i.error + s.error) / 2};
 }
@@ -114,12 +118,13 @@ Brdf Model::brdf(double theta_i, double theta_s, double phi) const {
   const Direction in = Direction::from_degrees(theta_i), out = Direction::from_degrees(theta_s);
   const Polarized g = mean_reflectance(index(), in, out);
   const Polarized t = mean_transmittance(index(), in, out);
-  const Real log_v = width(Lobe::surface).log_shadowing(in.sin * in.sin) + width(Lobe::surface).log_shadowing(out.sin * out.sin);
+  const Real log_v = width(Lobe::surface).log_shadowing(in.sin * in.sin) +
+                     width(Lobe::surface).log_shadowing(out.sin * out.sin);
 
   // Everything but Eqs. (15), (17), (18), which alone depend on polarisation.
   const auto shape = [&](Lobe lobe) -> Shape {
-    const Real distance =
-        lobe == Lobe::retro ? squared_distance_retro(theta_i, theta_s, phi) : squared_distance(theta_i, theta_s, phi);
+    const Real distance = lobe == Lobe::retro ? squared_distance_retro(theta_i, theta_s, phi)
+                                              : squared_distance(theta_i, theta_s, phi);
     const Real log_square = width(lobe).log_square(in.cos, out.cos, log_v, 0);
     Real log_scale = pair_log_normalization(lobe, theta_i, theta_s).log;
     Real v_m = 1;
@@ -130,7 +135,7 @@ Brdf Model::brdf(double theta_i, double theta_s, double phi) const {
         v_m = 1;
       }
     }
-    if (switches_.autocovariance == Autocovariance::gaussian)
+    if (variant_.autocovariance == Autocovariance::gaussian)
       return {distance == 0 ? log_scale : log_scale - distance * std::exp(-log_square) / 4, v_m};
     const Real denominator = distance + std::exp(log_square);
     // Where ρ′² underflows too, at the centre of a lobe, only its logarithm is left.
@@ -144,7 +149,8 @@ Brdf Model::brdf(double theta_i, double theta_s, double phi) const {
   };
   const auto lobes = [&](Real g_polarized, Real t_polarized) {
     return Lobes{value(parameters_.sigma_surface * g_polarized, shapes[0]),
-                 value(parameters_.sigma_bulk * t_polarized, shapes[1]), value(parameters_.sigma_retro * t_polarized, shapes[2])};
+                 value(parameters_.sigma_bulk * t_polarized, shapes[1]),
+                 value(parameters_.sigma_retro * t_polarized, shapes[2])};
   };
   return {lobes(g.s, t.s), lobes(g.p, t.p)};
 }

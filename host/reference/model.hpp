@@ -5,9 +5,9 @@
 #include <memory>
 #include <vector>
 
-#include "host/model/parameters.hpp"
 #include "azimuth.hpp"
 #include "fresnel.hpp"
+#include "host/model/parameters.hpp"
 #include "normalization.hpp"
 #include "quadrature.hpp"
 
@@ -51,12 +51,12 @@ struct Reflectance {
 class Model {
  public:
   /// Throws std::invalid_argument for a closed-form Gaussian, which Eq. (8) is not.
-  Model(const Parameters& parameters, const ModelSwitches& switches = {});
+  Model(const Parameters& parameters, const Variant& variant = {});
 
   /// Infinite where the lobe exceeds a double, at the exact centre of a lobe.
   Brdf brdf(double theta_i, double theta_s, double phi) const;
 
-  /// N(θ_i) as `normalization` of the switches has it for a single direction: the closed
+  /// N(θ_i) as `normalization` of the variant has it for a single direction: the closed
   /// form of Eq. (8) or the integral over the disc. Infinite if above any double.
   Estimate normalization(Lobe lobe, double theta_i) const;
 
@@ -81,7 +81,7 @@ class Model {
   Reflectance dhr(const Direction& in) const;
 
   Parameters parameters_;
-  ModelSwitches switches_;
+  Variant variant_;
   std::shared_ptr<Cache> cache_;
 };
 

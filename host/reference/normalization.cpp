@@ -2,8 +2,9 @@
 // is an integral over u = sin²θ_s with a peak at u₀ = sin²θ_i.
 #include "normalization.hpp"
 
-#include <algorithm>
 #include <boost/math/special_functions/bessel.hpp>
+
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -48,7 +49,8 @@ Real scaled_bessel_i0(Real z) {
 std::vector<Real> shadowing_steps(const Width& width) {
   if (!width.shadowing) return {};
   std::vector<Real> steps;
-  for (const Real factor : {0.25L, 0.5L, 0.8L, 1.0L, 1.25L, 1.6L, 2.5L, 5.0L, 20.0L}) steps.push_back(factor * width.w * width.w);
+  for (const Real factor : {0.25L, 0.5L, 0.8L, 1.0L, 1.25L, 1.6L, 2.5L, 5.0L, 20.0L})
+    steps.push_back(factor * width.w * width.w);
   return steps;
 }
 

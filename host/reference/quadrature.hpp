@@ -3,9 +3,10 @@
 // interval spoils the relative accuracy of any component.
 #pragma once
 
+#include <boost/math/quadrature/gauss_kronrod.hpp>
+
 #include <algorithm>
 #include <array>
-#include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -40,7 +41,8 @@ inline constexpr std::size_t most_pieces = 4000;
 /// tolerance of each of the first Guiding components, or as far as `passes`
 /// bisections of an interval and `most_pieces` go; the error says how far that was.
 template <unsigned Points, std::size_t Components, std::size_t Guiding = Components, class T, class Function>
-Integral<T, Components> integrate(const Function& f, const std::vector<Interval<T>>& intervals, T tolerance, int passes = 60) {
+Integral<T, Components> integrate(const Function& f, const std::vector<Interval<T>>& intervals, T tolerance,
+                                  int passes = 60) {
   using Kronrod = boost::math::quadrature::gauss_kronrod<T, Points>;
   using Gauss = boost::math::quadrature::gauss<T, (Points - 1) / 2>;
   static_assert((Points - 1) / 2 % 2 == 1, "Gauss nodes are the even Kronrod nodes");
@@ -76,7 +78,8 @@ Integral<T, Components> integrate(const Function& f, const std::vector<Interval<
           variation += half * weights[i] * std::fabs(samples[i == 0 ? 0 : 2 * i - 1 + side][k] - mean);
       const T difference = std::fabs(piece.value[k] - gauss[k]);
       T error = difference;
-      if (variation > 0 && difference > 0) error = variation * std::min(T(1), std::pow(200 * difference / variation, T(1.5)));
+      if (variation > 0 && difference > 0)
+        error = variation * std::min(T(1), std::pow(200 * difference / variation, T(1.5)));
       piece.error[k] = std::max(error, 4 * std::numeric_limits<T>::epsilon() * std::fabs(piece.value[k]));
     }
     return piece;

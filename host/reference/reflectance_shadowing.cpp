@@ -13,10 +13,12 @@ struct Exponents {
   bool ahead;    // α ≥ 0
 };
 
-Exponents exponents(const ReflectanceShadowingParameters& parameters, const Direction& in, const Direction& out, double phi) {
+Exponents exponents(const ReflectanceShadowingParameters& parameters, const Direction& in,
+                    const Direction& out, double phi) {
   const Real alpha = out.sin * cos_degrees(phi);
   const Real beta = out.sin * sin_degrees(phi);
-  return {forward_onset(parameters, in), shadow_exponent(parameters, alpha, out.cos * out.cos + beta * beta), alpha >= 0};
+  return {forward_onset(parameters, in), shadow_exponent(parameters, alpha, out.cos * out.cos + beta * beta),
+          alpha >= 0};
 }
 
 }  // namespace
@@ -27,21 +29,22 @@ Real forward_onset(const ReflectanceShadowingParameters& parameters, const Direc
   return parameters.gamma * std::fabs(zeta) * std::exp(-parameters.delta / (zeta * zeta));
 }
 
-Real shadow_exponent(const ReflectanceShadowingParameters& parameters, Real alpha, Real one_minus_alpha_squared) {
+Real shadow_exponent(const ReflectanceShadowingParameters& parameters, Real alpha,
+                     Real one_minus_alpha_squared) {
   if (alpha == 0) return 0;
   const Real zeta = std::fabs(alpha) / std::sqrt(one_minus_alpha_squared);
   return parameters.w_a * zeta * std::exp(-parameters.w_b / (alpha * alpha));
 }
 
-Real reflectance_shadowing(const ReflectanceShadowingParameters& parameters, const Direction& in, const Direction& out,
-                           double phi) {
+Real reflectance_shadowing(const ReflectanceShadowingParameters& parameters, const Direction& in,
+                           const Direction& out, double phi) {
   const Exponents e = exponents(parameters, in, out, phi);
   const Real s = std::exp(-e.shadow);
   return e.ahead ? -std::expm1(-e.forward) + s * std::exp(-e.forward) : s;
 }
 
-Real log_reflectance_shadowing(const ReflectanceShadowingParameters& parameters, const Direction& in, const Direction& out,
-                               double phi) {
+Real log_reflectance_shadowing(const ReflectanceShadowingParameters& parameters, const Direction& in,
+                               const Direction& out, double phi) {
   const Exponents e = exponents(parameters, in, out, phi);
   if (!e.ahead || e.forward == 0) return -e.shadow;
   const Real lit = std::log(-std::expm1(-e.forward));

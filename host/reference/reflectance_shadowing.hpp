@@ -18,14 +18,15 @@ Real forward_onset(const ReflectanceShadowingParameters& parameters, const Direc
 
 /// −ln S = w_a |ζ| e^{−w_b/α²}, ζ = α/√(1 − α²). 1 − α² is an argument because the
 /// caller has it without cancellation: μ_s² + sin²θ_s sin²φ.
-Real shadow_exponent(const ReflectanceShadowingParameters& parameters, Real alpha, Real one_minus_alpha_squared);
+Real shadow_exponent(const ReflectanceShadowingParameters& parameters, Real alpha,
+                     Real one_minus_alpha_squared);
 
 /// V_m = (1 − E₀) + S E₀ on the forward side (α ≥ 0), S behind.
-Real reflectance_shadowing(const ReflectanceShadowingParameters& parameters, const Direction& in, const Direction& out,
-                           double phi);
+Real reflectance_shadowing(const ReflectanceShadowingParameters& parameters, const Direction& in,
+                           const Direction& out, double phi);
 
 /// ln V_m, which stays finite where V_m underflows.
-Real log_reflectance_shadowing(const ReflectanceShadowingParameters& parameters, const Direction& in, const Direction& out,
-                               double phi);
+Real log_reflectance_shadowing(const ReflectanceShadowingParameters& parameters, const Direction& in,
+                               const Direction& out, double phi);
 
 }  // namespace brdftab::reference

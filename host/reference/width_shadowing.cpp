@@ -3,6 +3,7 @@
 #include "width_shadowing.hpp"
 
 #include <boost/math/special_functions/gamma.hpp>
+
 #include <cmath>
 #include <limits>
 
@@ -41,9 +42,13 @@ Real log_width_shadowing(Real chi_squared, Real w, Real n) {
   return std::log(boost::math::gamma_q(a, x, Policy()));
 }
 
-Real width_shadowing(Real chi_squared, Real w, Real n) { return std::exp(log_width_shadowing(chi_squared, w, n)); }
+Real width_shadowing(Real chi_squared, Real w, Real n) {
+  return std::exp(log_width_shadowing(chi_squared, w, n));
+}
 
-Real Width::log_shadowing(Real chi_squared) const { return shadowing ? log_width_shadowing(chi_squared, w, n) : 0; }
+Real Width::log_shadowing(Real chi_squared) const {
+  return shadowing ? log_width_shadowing(chi_squared, w, n) : 0;
+}
 
 Real Width::log_square(const Direction& in, const Direction& out) const {
   return log_square(in.cos, out.cos, log_shadowing(in.sin * in.sin), log_shadowing(out.sin * out.sin));

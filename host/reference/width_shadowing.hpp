@@ -13,7 +13,7 @@ Real log_width_shadowing(Real chi_squared, Real w, Real n);
 Real width_shadowing(Real chi_squared, Real w, Real n);
 
 /// ln ρ′² of Eq. (12): ρ′² = ¼ ρ² (μ_i + μ_s)² V(sin θ_i) V(sin θ_s), with the two
-/// switches of the model.
+/// variant of the model.
 struct Width {
   Real rho;
   Real w;

@@ -20,8 +20,8 @@ constexpr double least_intervals = 4;
 constexpr double largest_error = 1e3;
 
 // The error half way along each interval, the largest over directions of the other angles.
-std::vector<double> interval_errors(const SampledModel& model, ChosenAxis axis, const std::vector<double>& nodes,
-                                    DirectionSource& source) {
+std::vector<double> interval_errors(const SampledModel& model, ChosenAxis axis,
+                                    const std::vector<double>& nodes, DirectionDraw& source) {
   const std::size_t intervals = nodes.size() - 1;
   Directions middle, ends[2];
   const auto add = [&](Directions& to, double x, double other, double azimuth) {
@@ -50,7 +50,8 @@ std::vector<double> interval_errors(const SampledModel& model, ChosenAxis axis, 
   auto mean = model.evaluate(ends[0]);
   const auto other = model.evaluate(ends[1]);
   for (std::size_t brdf = 0; brdf < mean.size(); ++brdf)
-    for (std::size_t k = 0; k < mean[brdf].size(); ++k) mean[brdf][k] = 0.5 * (mean[brdf][k] + other[brdf][k]);
+    for (std::size_t k = 0; k < mean[brdf].size(); ++k)
+      mean[brdf][k] = 0.5 * (mean[brdf][k] + other[brdf][k]);
   const auto errors = relative_errors(model, middle, f, mean);
   std::vector<double> largest(intervals);
   for (std::size_t k = 0; k < intervals; ++k)
@@ -64,8 +65,8 @@ std::vector<double> widened(const std::vector<double>& values) {
   std::vector<double> result(values.size());
   for (std::size_t k = 0; k < values.size(); ++k) {
     const std::size_t begin = k - std::min(k, neighbours), end = std::min(k + neighbours + 1, values.size());
-    result[k] =
-        *std::max_element(values.begin() + static_cast<std::ptrdiff_t>(begin), values.begin() + static_cast<std::ptrdiff_t>(end));
+    result[k] = *std::max_element(values.begin() + static_cast<std::ptrdiff_t>(begin),
+                                  values.begin() + static_cast<std::ptrdiff_t>(end));
   }
   return result;
 }
@@ -85,10 +86,12 @@ std::vector<double> middles(const std::vector<double>& nodes) {
   return result;
 }
 
-std::vector<double> spread(const std::vector<double>& angle, const std::vector<double>& intervals, std::size_t count) {
+std::vector<double> spread(const std::vector<double>& angle, const std::vector<double>& intervals,
+                           std::size_t count) {
   std::vector<double> nodes;
   for (std::size_t k = 0; k <= count; ++k)
-    nodes.push_back(linear(intervals, angle, intervals.back() * static_cast<double>(k) / static_cast<double>(count)));
+    nodes.push_back(
+        linear(intervals, angle, intervals.back() * static_cast<double>(k) / static_cast<double>(count)));
   nodes.front() = angle.front();
   nodes.back() = angle.back();
   return nodes;
@@ -96,16 +99,16 @@ std::vector<double> spread(const std::vector<double>& angle, const std::vector<d
 
 }  // namespace
 
-DirectionSource::DirectionSource(AngleRange theta_i, AngleRange theta_s, std::uint64_t seed)
+DirectionDraw::DirectionDraw(AngleRange theta_i, AngleRange theta_s, std::uint64_t seed)
     : theta_i_(theta_i), theta_s_(theta_s), random_(seed) {}
 
-double DirectionSource::uniform(double low, double high) {
+double DirectionDraw::uniform(double low, double high) {
   return low + (high - low) * static_cast<double>(random_() >> 11) * 0x1p-53;
 }
 
-double DirectionSource::theta_i() { return uniform(theta_i_.first, theta_i_.last); }
+double DirectionDraw::theta_i() { return uniform(theta_i_.first, theta_i_.last); }
 
-double DirectionSource::near(double x, AngleRange range) {
+double DirectionDraw::near(double x, AngleRange range) {
   const auto kind = random_() % 8;
   double angle = x;
   if (kind < 3) return uniform(range.first, range.last);
@@ -114,7 +117,7 @@ double DirectionSource::near(double x, AngleRange range) {
   return std::clamp(angle, range.first, range.last);
 }
 
-double DirectionSource::azimuth() {
+double DirectionDraw::azimuth() {
   switch (random_() % 4) {
     case 0:
       return uniform(0, 180);
@@ -133,25 +136,29 @@ std::vector<double> relative_errors(const SampledModel& model, const Directions&
   std::vector<double> errors(directions.size(), 0);
   for (std::size_t brdf = 0; brdf < f.size(); ++brdf)
     for (std::size_t k = 0; k < errors.size(); ++k) {
-      const double scale = std::max(f[brdf][k], interpolation_floor * model.peak(brdf, directions.theta_i[k]));
+      const double scale =
+          std::max(f[brdf][k], interpolation_floor * model.peak(brdf, directions.theta_i[k]));
       errors[k] = std::max(errors[k], std::abs(interpolated[brdf][k] - f[brdf][k]) / scale);
     }
   return errors;
 }
 
-AxisDensity::AxisDensity(const SampledModel& model, ChosenAxis axis, AngleRange range, double error, DirectionSource& source) {
+AxisDensity::AxisDensity(const SampledModel& model, ChosenAxis axis, AngleRange range, double error,
+                         DirectionDraw& source) {
   angle_ = spread({range.first, range.last}, {0, 1}, first_intervals);
   std::vector<double> envelope_at, envelope;
   for (int round = 0;; ++round) {
     const auto errors = widened(interval_errors(model, axis, angle_, source));
     std::vector<double> density;
     for (std::size_t k = 0; k < errors.size(); ++k)
-      density.push_back(std::max(std::sqrt(std::min(errors[k], largest_error) / error) / (angle_[k + 1] - angle_[k]),
-                                 least_intervals / (range.last - range.first)));
+      density.push_back(
+          std::max(std::sqrt(std::min(errors[k], largest_error) / error) / (angle_[k + 1] - angle_[k]),
+                   least_intervals / (range.last - range.first)));
     const auto at = middles(angle_);
     if (round >= rounds - enveloping_rounds) {
       if (!envelope.empty())
-        for (std::size_t k = 0; k < at.size(); ++k) density[k] = std::max(density[k], linear(envelope_at, envelope, at[k]));
+        for (std::size_t k = 0; k < at.size(); ++k)
+          density[k] = std::max(density[k], linear(envelope_at, envelope, at[k]));
       envelope_at = at;
       envelope = density;
     }
@@ -159,14 +166,15 @@ AxisDensity::AxisDensity(const SampledModel& model, ChosenAxis axis, AngleRange 
     for (std::size_t k = 0; k < density.size(); ++k)
       intervals_.push_back(intervals_.back() + density[k] * (angle_[k + 1] - angle_[k]));
     if (round + 1 == rounds) return;
-    const double wanted = std::min(
-        {std::ceil(intervals_.back()), growth * static_cast<double>(angle_.size()), static_cast<double>(most_intervals)});
+    const double wanted = std::min({std::ceil(intervals_.back()), growth * static_cast<double>(angle_.size()),
+                                    static_cast<double>(most_intervals)});
     angle_ = spread(angle_, intervals_, static_cast<std::size_t>(wanted));
   }
 }
 
 std::vector<double> AxisDensity::nodes(double factor) const {
-  const double count = std::clamp(std::ceil(intervals_.back() * factor), 1.0, static_cast<double>(longest_axis - 1));
+  const double count =
+      std::clamp(std::ceil(intervals_.back() * factor), 1.0, static_cast<double>(longest_axis - 1));
   return spread(angle_, intervals_, static_cast<std::size_t>(count));
 }
 

@@ -1,5 +1,5 @@
-// How dense an axis must be for linear interpolation along it: nodes per degree, found by moving nodes until every interval
-// has the same error.
+// How dense an axis must be for linear interpolation along it: nodes per degree, found by moving nodes until
+// every interval has the same error.
 #pragma once
 
 #include <random>
@@ -12,10 +12,11 @@ namespace brdftab {
 /// Shares of errors' scale: |interpolated - f| / max(f, interpolation_floor x the slice's peak).
 inline constexpr double interpolation_floor = 0.01;
 
-/// Directions drawn where errors are: over the whole ranges, and near the forward and the retro-reflecting direction.
-class DirectionSource {
+/// Directions drawn where errors are: over the whole ranges, and near the forward and the retro-reflecting
+/// direction.
+class DirectionDraw {
  public:
-  DirectionSource(AngleRange theta_i, AngleRange theta_s, std::uint64_t seed);
+  DirectionDraw(AngleRange theta_i, AngleRange theta_s, std::uint64_t seed);
 
   double theta_i();
   /// Near x, at x, at an end, or anywhere, in a range.
@@ -43,7 +44,8 @@ enum class ChosenAxis { theta_i, theta_s, phi };
 class AxisDensity {
  public:
   /// Of an axis whose own interpolation error may be about `error` in every interval.
-  AxisDensity(const SampledModel& model, ChosenAxis axis, AngleRange range, double error, DirectionSource& source);
+  AxisDensity(const SampledModel& model, ChosenAxis axis, AngleRange range, double error,
+              DirectionDraw& source);
 
   /// Nodes, both ends included: `factor` times as many intervals as the error asked for takes.
   std::vector<double> nodes(double factor) const;

@@ -21,9 +21,11 @@ Chunk chunk_shape(const Grid& grid, std::size_t node_bytes) {
   const std::size_t row = grid.phi_s.size() * node_bytes;
   const std::size_t hemisphere = row * grid.theta_s.size();
   const std::size_t incidence = hemisphere * grid.phi_i.size();
-  if (hemisphere > largest_bytes) return {1, 1, even_piece(grid.theta_s.size(), std::max<std::size_t>(largest_bytes / row, 1))};
+  if (hemisphere > largest_bytes)
+    return {1, 1, even_piece(grid.theta_s.size(), std::max<std::size_t>(largest_bytes / row, 1))};
   if (incidence > wanted_bytes)
-    return {1, even_piece(grid.phi_i.size(), std::max<std::size_t>(wanted_bytes / hemisphere, 1)), grid.theta_s.size()};
+    return {1, even_piece(grid.phi_i.size(), std::max<std::size_t>(wanted_bytes / hemisphere, 1)),
+            grid.theta_s.size()};
   return {even_piece(grid.theta_i.size(), wanted_bytes / incidence), grid.phi_i.size(), grid.theta_s.size()};
 }
 

@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "host/base/error.hpp"
+#include "host/base/numbers.hpp"
 #include "host/compute/evaluate.hpp"
 #include "host/compute/on_host/kernels_on_host.hpp"
-#include "host/base/numbers.hpp"
 
 namespace brdftab {
 
@@ -53,8 +53,9 @@ Reciprocity defect(const std::vector<DirectionPair>& pairs, const std::vector<Po
 
 }  // namespace
 
-std::vector<std::string> energy_warnings(const Material& material, const Band& band, std::span<const double> theta_i,
-                                         const Dhr& dhr, const std::vector<Polarization>& polarizations) {
+std::vector<std::string> energy_warnings(const Material& material, const Band& band,
+                                         std::span<const double> theta_i, const Dhr& dhr,
+                                         const std::vector<Polarization>& polarizations) {
   std::vector<std::string> warnings;
   for (const Polarization polarization : polarizations) {
     std::size_t worst = 0;
@@ -68,28 +69,34 @@ std::vector<std::string> energy_warnings(const Material& material, const Band& b
     for (std::size_t k = 1; k < 3; ++k)
       if (dhr.lobe(k, worst, polarization) > dhr.lobe(lobe, worst, polarization)) lobe = k;
     warnings.push_back(fmt::format(
-        "{}{}: DHR is above 1 at {} of {} theta_i ({} light): {:.6g} at theta_i = {} degrees, where the {} lobe has {:.6g}",
-        material.name(), band.wavelength_nm ? fmt::format(", {} nm", shortest(*band.wavelength_nm)) : "", above, theta_i.size(),
-        polarization == Polarization::unpolarized ? "unpolarised" : polarization_names[static_cast<std::size_t>(polarization)],
-        dhr.total(worst, polarization), shortest(theta_i[worst]), lobe_names[lobe], dhr.lobe(lobe, worst, polarization)));
+        "{}{}: DHR is above 1 at {} of {} theta_i ({} light): {:.6g} at theta_i = {} degrees, where the {} "
+        "lobe has {:.6g}",
+        material.name(), band.wavelength_nm ? fmt::format(", {} nm", shortest(*band.wavelength_nm)) : "",
+        above, theta_i.size(),
+        polarization == Polarization::unpolarized
+            ? "unpolarised"
+            : polarization_names[static_cast<std::size_t>(polarization)],
+        dhr.total(worst, polarization), shortest(theta_i[worst]), lobe_names[lobe],
+        dhr.lobe(lobe, worst, polarization)));
   }
   return warnings;
 }
 
-Reciprocity reciprocity(const Band& band, const ModelSwitches& switches) {
+Reciprocity reciprocity(const Band& band, const Variant& variant) {
   const auto pairs = there_and_back();
   std::vector<PolarizedBrdf> f;
-  for (const auto& sample : kernels_on_host::Double::brdf(band.parameters, switches, pairs)) {
-    // A Gaussian lobe whose N overflows at an angle that a table need not have: the reference works in logarithms.
-    if (!std::isfinite(sample.s) || !std::isfinite(sample.p)) return reference_reciprocity(band, switches);
+  for (const auto& sample : kernels_on_host::Double::brdf(band.parameters, variant, pairs)) {
+    // A Gaussian lobe whose N overflows at an angle that a table need not have: the reference works in
+    // logarithms.
+    if (!std::isfinite(sample.s) || !std::isfinite(sample.p)) return reference_reciprocity(band, variant);
     f.push_back({sample.s, sample.p});
   }
   return defect(pairs, f);
 }
 
-Reciprocity reference_reciprocity(const Band& band, const ModelSwitches& switches) {
+Reciprocity reference_reciprocity(const Band& band, const Variant& variant) {
   const auto pairs = there_and_back();
-  return defect(pairs, evaluate_reference(band, switches, pairs));
+  return defect(pairs, evaluate_reference(band, variant, pairs));
 }
 
 }  // namespace brdftab

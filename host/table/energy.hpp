@@ -9,8 +9,9 @@
 namespace brdftab {
 
 /// One line for each polarisation whose DHR exceeds 1, with the largest DHR, its angle and its largest lobe.
-std::vector<std::string> energy_warnings(const Material& material, const Band& band, std::span<const double> theta_i,
-                                         const Dhr& dhr, const std::vector<Polarization>& polarizations);
+std::vector<std::string> energy_warnings(const Material& material, const Band& band,
+                                         std::span<const double> theta_i, const Dhr& dhr,
+                                         const std::vector<Polarization>& polarizations);
 
 /// |ln f(i,s)/f(s,i)| over a grid of direction pairs.
 struct Reciprocity {
@@ -25,7 +26,7 @@ struct Reciprocity {
 inline constexpr const char* reciprocity_grid =
     "|ln f(i,s)/f(s,i)|, unpolarised, over theta_i < theta_s in 5:85:5 degrees and phi in 0:180:15 degrees";
 
-Reciprocity reciprocity(const Band& band, const ModelSwitches& switches);
-Reciprocity reference_reciprocity(const Band& band, const ModelSwitches& switches);
+Reciprocity reciprocity(const Band& band, const Variant& variant);
+Reciprocity reference_reciprocity(const Band& band, const Variant& variant);
 
 }  // namespace brdftab

@@ -7,11 +7,9 @@
 #include <thread>
 
 #include "host/base/error.hpp"
-#include "host/base/interrupt.hpp"
-#include "host/compute/rounding.hpp"
 #include "host/base/partial_file.hpp"
 #include "host/compute/plan.hpp"
-#include "host/base/progress.hpp"
+#include "host/compute/rounding.hpp"
 #include "host/table/slab_ring.hpp"
 #include "host/table/validation/spot_check.hpp"
 
@@ -53,8 +51,9 @@ std::string description_of(std::span<const Engine* const> engines) {
 
 }  // namespace
 
-GenerateSummary generate(std::span<const Engine* const> engines, const Material& material, const Grid& dense_grid,
-                         const std::filesystem::path& target, const CreateTable& create, const GenerateOptions& options) {
+GenerateSummary generate(std::span<const Engine* const> engines, const Material& material,
+                         const Grid& dense_grid, const std::filesystem::path& target,
+                         const CreateTable& create, const GenerateOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   const Engine& engine = *engines.front();
   const std::size_t node_bytes = bytes_of(engine.table());
@@ -81,37 +80,46 @@ GenerateSummary generate(std::span<const Engine* const> engines, const Material&
                              .device = description_of(engines),
                              .build_options = engine.build_options(),
                              .history = options.history,
+                             .watch = engine.watch(),
                              .grid_choice = options.grid_choice};
   const Chunk chunk = options.storage.deflate_level > 0 ? chunk_shape(grid, node_bytes) : Chunk{};
   const auto cuts = slabs(grid, std::max<std::size_t>(options.slab_bytes / node_bytes, 1), chunk);
-  const std::size_t largest =
-      std::max_element(cuts.begin(), cuts.end(), [](const Slab& a, const Slab& b) { return a.nodes() < b.nodes(); })->nodes();
+  const std::size_t largest = std::max_element(cuts.begin(), cuts.end(), [](const Slab& a, const Slab& b) {
+                                return a.nodes() < b.nodes();
+                              })->nodes();
   TableFindings findings;
   StageSeconds stages;
   SpotCheck spot_check(content);
   std::unique_ptr<TableWriter> writer;
   naming(target, [&] { writer = create(file.path(), content); });
-  Progress progress(target.filename().string(), samples, node_bytes, options.quiet);
   {
     const std::size_t band_slabs = cuts.size() * options.polarizations.size();
     SlabRing ring(engines, material.bands().size() * band_slabs, largest * node_bytes);
     std::mutex checking;
     std::size_t done = 0;
+    const auto report_progress = [&](std::size_t more) {
+      done += more;
+      if (const auto& report = engine.watch().progress)
+        report({target.filename().string(), done, samples, node_bytes});
+    };
+    report_progress(0);
     for (std::size_t band = 0; band < material.bands().size(); ++band) {
       const Band& this_band = material.bands()[band];
       Integrals band_integrals;
-      stages.plan += seconds([&] { band_integrals = integrals(engine, this_band, material.switches(), grid.theta_i.nodes()); });
+      stages.plan += seconds(
+          [&] { band_integrals = integrals(engine, this_band, material.variant(), grid.theta_i.nodes()); });
       const auto tabulate_on = [&](const Engine& device) {
         StageSeconds spent;
         std::optional<Plan> plan;
         spent.plan = seconds([&] { plan.emplace(device, material, this_band, grid, band_integrals); });
         while (const auto turn = ring.take(device, (band + 1) * band_slabs)) {
-          stop_if_interrupted();
+          engine.watch().stop_if_asked();
           const std::size_t polarization = turn->slab % band_slabs / cuts.size();
           const Slab& slab = cuts[turn->slab % cuts.size()];
           spent.compute += seconds([&] {
             plan->tabulate(slab, options.polarizations[polarization], turn->samples);
-            if (options.storage.keep_bits) round_mantissas(device, slab, turn->samples, *options.storage.keep_bits);
+            if (options.storage.keep_bits)
+              round_mantissas(device, slab, turn->samples, *options.storage.keep_bits);
             device.queue().finish();
           });
           std::span<const std::byte> mapped;
@@ -120,10 +128,11 @@ GenerateSummary generate(std::span<const Engine* const> engines, const Material&
           {
             const std::lock_guard lock(checking);
             spot_check.take(polarization, band, slab, mapped);
-            progress.report(done += slab.nodes());
+            report_progress(slab.nodes());
           }
           ring.submit(*turn, [&, polarization, band, slab](std::span<const std::byte> bytes) {
-            stages.write += seconds([&] { naming(target, [&] { writer->write(polarization, band, slab, bytes); }); });
+            stages.write +=
+                seconds([&] { naming(target, [&] { writer->write(polarization, band, slab, bytes); }); });
           });
         }
         const std::lock_guard lock(checking);
@@ -141,10 +150,11 @@ GenerateSummary generate(std::span<const Engine* const> engines, const Material&
               ring.fail();
             }
           });
-        findings.reciprocity.push_back(reciprocity(this_band, material.switches()));
+        findings.reciprocity.push_back(reciprocity(this_band, material.variant()));
       }
       ring.rethrow();
-      for (auto& warning : energy_warnings(material, this_band, grid.theta_i.nodes(), band_integrals.dhr, options.polarizations))
+      for (auto& warning : energy_warnings(material, this_band, grid.theta_i.nodes(), band_integrals.dhr,
+                                           options.polarizations))
         findings.energy_warnings.push_back(std::move(warning));
       findings.integrals.push_back(band_integrals);
     }
@@ -153,14 +163,16 @@ GenerateSummary generate(std::span<const Engine* const> engines, const Material&
   findings.accuracy = spot_check.compare();
   // Devices without fp64 promise nothing at a node; but what is nowhere near is no table.
   constexpr double believable_float32 = 1e-2;
-  double promised = engine.working() == Precision::float64 ? promised_error(engine.table()) : believable_float32;
+  double promised =
+      engine.working() == Precision::float64 ? promised_error(engine.table()) : believable_float32;
   if (options.storage.keep_bits) promised += (1 + promised) * rounding_error(*options.storage.keep_bits);
   if (!(findings.accuracy.max_relative_error <= promised))
-    throw Error(ExitStatus::check_failed,
-                "{}: not written: a sample differs from the scalar reference by {:.1e}, more than {:.0e}; the device or its "
+    throw Error(Fault::check,
+                "{}: not written: a sample differs from the scalar reference by {:.1e}, more than {:.0e}; "
+                "the device or its "
                 "driver is at fault",
                 target.string(), findings.accuracy.max_relative_error, promised);
-  stop_if_interrupted();
+  engine.watch().stop_if_asked();
   naming(target, [&] { writer->finish(findings); });
   const std::size_t file_bytes = stored_bytes(file.path());
   file.commit();

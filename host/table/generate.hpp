@@ -17,7 +17,6 @@ namespace brdftab {
 struct GenerateOptions {
   std::vector<Polarization> polarizations{Polarization::unpolarized};
   TableStorage storage;
-  bool quiet = false;
   bool force = false;
   std::string history;
   std::vector<AttributeInfo> grid_choice;  // see TableContent
@@ -41,16 +40,20 @@ struct GenerateSummary {
   TableFindings findings;
 };
 
-using CreateTable = std::function<std::unique_ptr<TableWriter>(const std::filesystem::path&, const TableContent&)>;
+using CreateTable =
+    std::function<std::unique_ptr<TableWriter>(const std::filesystem::path&, const TableContent&)>;
 
-/// Computes slabs on all engines at once, which share one working and table precision; their number, and the size of
-/// slabs, do not change the bytes. Writes the table beside `target` and renames it when it is complete; peak memory does not
-/// depend on its size. Throws BadInput where a node is not finite, FileError where writing fails, Error (130) when interrupted.
-GenerateSummary generate(std::span<const Engine* const> engines, const Material& material, const Grid& dense_grid,
-                         const std::filesystem::path& target, const CreateTable& create, const GenerateOptions& options);
+/// Computes slabs on all engines at once, which share one working and table precision; their number, and the
+/// size of slabs, do not change the bytes. Writes the table beside `target` and renames it when it is
+/// complete; peak memory does not depend on its size. Throws BadInput where a node is not finite, FileError
+/// where writing fails, Error (130) when interrupted.
+GenerateSummary generate(std::span<const Engine* const> engines, const Material& material,
+                         const Grid& dense_grid, const std::filesystem::path& target,
+                         const CreateTable& create, const GenerateOptions& options);
 
 inline GenerateSummary generate(const Engine& engine, const Material& material, const Grid& grid,
-                                const std::filesystem::path& target, const CreateTable& create, const GenerateOptions& options) {
+                                const std::filesystem::path& target, const CreateTable& create,
+                                const GenerateOptions& options) {
   const Engine* const engines[] = {&engine};
   return generate(engines, material, grid, target, create, options);
 }

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "host/base/error.hpp"
-#include "host/base/interrupt.hpp"
 #include "host/base/numbers.hpp"
 
 namespace brdftab {
@@ -28,20 +27,25 @@ constexpr double most_uniform_factor = 10;
 AngleRange range_of(const Axis& axis) { return {axis.nodes().front(), axis.nodes().back()}; }
 
 std::vector<double> rounded(std::vector<double> nodes) {
-  for (std::size_t k = 1; k + 1 < nodes.size(); ++k) nodes[k] = std::round(nodes[k] * angles_per_degree) / angles_per_degree;
-  nodes.erase(std::unique(nodes.begin(), nodes.end(), [](double a, double b) { return !(b > a); }), nodes.end());
+  for (std::size_t k = 1; k + 1 < nodes.size(); ++k)
+    nodes[k] = std::round(nodes[k] * angles_per_degree) / angles_per_degree;
+  nodes.erase(std::unique(nodes.begin(), nodes.end(), [](double a, double b) { return !(b > a); }),
+              nodes.end());
   return nodes;
 }
 
 std::vector<double> uniform_axis(AngleRange range, std::size_t nodes) {
   std::vector<double> result;
   for (std::size_t k = 0; k < nodes; ++k)
-    result.push_back(range.first + (range.last - range.first) * static_cast<double>(k) / static_cast<double>(nodes - 1));
+    result.push_back(range.first +
+                     (range.last - range.first) * static_cast<double>(k) / static_cast<double>(nodes - 1));
   result.back() = range.last;
   return result;
 }
 
-std::size_t scaled(std::size_t nodes, double factor) { return static_cast<std::size_t>(static_cast<double>(nodes) * factor); }
+std::size_t scaled(std::size_t nodes, double factor) {
+  return static_cast<std::size_t>(static_cast<double>(nodes) * factor);
+}
 
 double nodes_of(const std::array<std::vector<double>, 3>& axes) {
   double product = 1;
@@ -53,25 +57,29 @@ std::string percent(double error) { return fmt::format("{:.3g} %", 100 * error);
 
 }  // namespace
 
-// Angles of a table, uniform in the first half, near the forward and the retro-reflecting direction in the second.
+// Angles of a table, uniform in the first half, near the forward and the retro-reflecting direction in the
+// second.
 struct GridChooser::Points {
   std::array<std::vector<double>, 3> angle;  // theta_i, theta_s, phi_s
   Directions directions;
   std::vector<std::vector<double>> f;
 };
 
-GridChooser::GridChooser(const Engine& engine, const Material& material, const std::vector<Polarization>& polarizations,
-                         const Grid& ranges, double error)
-    : ranges_(ranges),
+GridChooser::GridChooser(const Engine& engine, const Material& material,
+                         const std::vector<Polarization>& polarizations, const Grid& ranges, double error)
+    : watch_(engine.watch()),
+      ranges_(ranges),
       error_(error),
       phi_i_(ranges.phi_i[0]),
       model_(engine, material, polarizations, range_of(ranges.theta_i), range_of(ranges.theta_s)),
       next_seed_(first_measuring_seed) {
   if (ranges.phi_i.size() > 1)
-    throw BadInput("phi_i has {} nodes: f depends on phi_s - phi_i only, so that a grid chosen by --interpolation-error has one",
-                   ranges.phi_i.size());
+    throw BadInput(
+        "phi_i has {} nodes: f depends on phi_s - phi_i only, so that a grid chosen by --interpolation-error "
+        "has one",
+        ranges.phi_i.size());
   const AngleRange theta_i = range_of(ranges.theta_i), theta_s = range_of(ranges.theta_s);
-  DirectionSource source(theta_i, theta_s, density_seed);
+  DirectionDraw source(theta_i, theta_s, density_seed);
   // The errors of three axes add up at worst, on the ridges of lobes; equal shares take the fewest nodes.
   const auto add = [&](ChosenAxis axis, AngleRange whole, const Axis& given) {
     if (given.size() == 1) return;
@@ -113,11 +121,13 @@ Grid GridChooser::grid(const Axes& axes) const {
 }
 
 GridChooser::Points GridChooser::draw(std::uint64_t seed) const {
-  const AngleRange theta_i = range_of(ranges_.theta_i), theta_s = range_of(ranges_.theta_s), phi_s = range_of(ranges_.phi_s);
-  DirectionSource source(theta_i, theta_s, seed);
+  const AngleRange theta_i = range_of(ranges_.theta_i), theta_s = range_of(ranges_.theta_s),
+                   phi_s = range_of(ranges_.phi_s);
+  DirectionDraw source(theta_i, theta_s, seed);
   Points points;
   for (std::size_t k = 0; k < measured_points; ++k) {
-    double i = source.theta_i(), s = source.uniform(theta_s.first, theta_s.last), q = source.uniform(phi_s.first, phi_s.last);
+    double i = source.theta_i(), s = source.uniform(theta_s.first, theta_s.last),
+           q = source.uniform(phi_s.first, phi_s.last);
     if (k >= measured_points / 2) {
       s = source.near(i, theta_s);
       // The azimuth on either side, in any turn that the axis covers.
@@ -127,7 +137,8 @@ GridChooser::Points GridChooser::draw(std::uint64_t seed) const {
         const double x = phi_i_ + phi + 360 * turn;
         if (x >= phi_s.first && x <= phi_s.last) turns.push_back(x);
       }
-      if (!turns.empty()) q = turns[static_cast<std::size_t>(source.uniform(0, static_cast<double>(turns.size())))];
+      if (!turns.empty())
+        q = turns[static_cast<std::size_t>(source.uniform(0, static_cast<double>(turns.size())))];
     }
     points.angle[0].push_back(i);
     points.angle[1].push_back(s);
@@ -139,7 +150,7 @@ GridChooser::Points GridChooser::draw(std::uint64_t seed) const {
 }
 
 GridError GridChooser::measure(const Axes& axes, const Points& points) const {
-  stop_if_interrupted();
+  watch_.stop_if_asked();
   const std::size_t count = points.directions.size();
   // The eight corners of each point's cell; an axis that is exact has its two corners at the point.
   std::array<std::vector<double>, 3> low = points.angle, high = points.angle, weight;
@@ -178,14 +189,16 @@ GridError GridChooser::measure(const Axes& axes, const Points& points) const {
   auto errors = relative_errors(model_, points.directions, points.f, interpolated);
   GridError result;
   result.points = count;
-  result.uniform_maximum = *std::max_element(errors.begin(), errors.begin() + static_cast<std::ptrdiff_t>(count / 2));
+  result.uniform_maximum =
+      *std::max_element(errors.begin(), errors.begin() + static_cast<std::ptrdiff_t>(count / 2));
   result.maximum = *std::max_element(errors.begin(), errors.end());
   std::sort(errors.begin(), errors.end());
   result.percentile_95 = errors[count * 95 / 100];
   return result;
 }
 
-// The smallest factor that keeps calibration points within an error; errors fall with the factor, but for chance.
+// The smallest factor that keeps calibration points within an error; errors fall with the factor, but for
+// chance.
 double GridChooser::factor_for(double error) const {
   const Points points = draw(calibration_seed);
   double low = smallest_factor, high = largest_factor;
@@ -204,13 +217,16 @@ GridAtError GridChooser::choose(double most_nodes) {
       double factor = factor_;
       while (factor > smallest_factor && nodes_of(axes(factor)) > most_nodes) factor /= refinement;
       throw BadInput(
-          "an interpolation error of {} takes {:.4g} nodes, more than the {:.4g} of --max-nodes, with which {} is reached",
-          percent(error_), nodes_of(chosen), most_nodes, percent(measure(axes(factor), draw(next_seed_)).maximum));
+          "an interpolation error of {} takes {:.4g} nodes, more than the {:.4g} of --max-nodes, with which "
+          "{} is reached",
+          percent(error_), nodes_of(chosen), most_nodes,
+          percent(measure(axes(factor), draw(next_seed_)).maximum));
     }
     const GridError reached = measure(chosen, draw(next_seed_++));
     if (reached.maximum <= error_) return {grid(chosen), reached};
   }
-  throw Error(ExitStatus::check_failed, "no grid was found that keeps the interpolation error within {}", percent(error_));
+  throw Error(Fault::check, "no grid was found that keeps the interpolation error within {}",
+              percent(error_));
 }
 
 std::vector<GridAtError> GridChooser::other_sizes() {
@@ -251,18 +267,18 @@ UniformNeed GridChooser::uniform_need(bool uniform_directions) {
 }
 
 std::vector<AttributeInfo> GridChooser::attributes(const GridError& reached) const {
-  return {
-      {"interpolation",
-       fmt::format("axes chosen for linear interpolation: |interpolated - f| / max(f, {} x the largest f at that theta_i), at "
-                   "directions that the choice did not use, half of them uniform in the angles, half near the forward and "
-                   "the retro-reflecting direction",
-                   shortest(interpolation_floor))},
-      {"interpolation_error_asked", error_},
-      {"interpolation_error_reached", reached.maximum},
-      {"interpolation_error_95_percent", reached.percentile_95},
-      {"interpolation_error_uniform_directions", reached.uniform_maximum},
-      {"interpolation_error_points", static_cast<double>(reached.points)},
-      {"interpolation_floor", interpolation_floor}};
+  return {{"interpolation", fmt::format("axes chosen for linear interpolation: |interpolated - f| / max(f, "
+                                        "{} x the largest f at that theta_i), at "
+                                        "directions that the choice did not use, half of them uniform in the "
+                                        "angles, half near the forward and "
+                                        "the retro-reflecting direction",
+                                        shortest(interpolation_floor))},
+          {"interpolation_error_asked", error_},
+          {"interpolation_error_reached", reached.maximum},
+          {"interpolation_error_95_percent", reached.percentile_95},
+          {"interpolation_error_uniform_directions", reached.uniform_maximum},
+          {"interpolation_error_points", static_cast<double>(reached.points)},
+          {"interpolation_floor", interpolation_floor}};
 }
 
 }  // namespace brdftab

@@ -25,11 +25,14 @@ struct GridAtError {
 /// Nodes of uniform axes: theta_i, theta_s, phi_s.
 struct UniformAxes {
   std::array<std::size_t, 3> nodes;
-  double product() const { return static_cast<double>(nodes[0]) * static_cast<double>(nodes[1]) * static_cast<double>(nodes[2]); }
+  double product() const {
+    return static_cast<double>(nodes[0]) * static_cast<double>(nodes[1]) * static_cast<double>(nodes[2]);
+  }
 };
 
 struct UniformNeed {
-  /// The fewest nodes with which each axis alone, the others exact, is within the error: no uniform grid has fewer.
+  /// The fewest nodes with which each axis alone, the others exact, is within the error: no uniform grid has
+  /// fewer.
   UniformAxes alone;
   /// These, scaled until they are together.
   UniformAxes together;
@@ -37,13 +40,13 @@ struct UniformNeed {
 
 class GridChooser {
  public:
-  /// `ranges` gives each axis' first and last node; an axis of one node stays. f depends on phi_s - phi_i only: phi_i must
-  /// have one node, or BadInput. `error` is relative, between 1e-4 and 1.
-  GridChooser(const Engine& engine, const Material& material, const std::vector<Polarization>& polarizations, const Grid& ranges,
-              double error);
+  /// `ranges` gives each axis' first and last node; an axis of one node stays. f depends on phi_s - phi_i
+  /// only: phi_i must have one node, or BadInput. `error` is relative, between 1e-4 and 1.
+  GridChooser(const Engine& engine, const Material& material, const std::vector<Polarization>& polarizations,
+              const Grid& ranges, double error);
 
-  /// The smallest grid found that keeps within the error, as measured on points that its choice did not use. Throws BadInput
-  /// where it takes more than `most_nodes` nodes, and tells what those reach.
+  /// The smallest grid found that keeps within the error, as measured on points that its choice did not use.
+  /// Throws BadInput where it takes more than `most_nodes` nodes, and tells what those reach.
   GridAtError choose(double most_nodes);
 
   /// Grids of other sizes round the chosen one, measured in the same way.
@@ -67,6 +70,7 @@ class GridChooser {
   std::vector<double> unfolded(const std::vector<double>& phi) const;
   double factor_for(double error) const;
 
+  const Watch& watch_;
   Grid ranges_;
   double error_;
   double phi_i_;

@@ -4,7 +4,8 @@
 
 namespace brdftab {
 
-SlabRing::SlabRing(std::span<const Engine* const> engines, std::size_t slabs, std::size_t slab_bytes, std::size_t buffers) {
+SlabRing::SlabRing(std::span<const Engine* const> engines, std::size_t slabs, std::size_t slab_bytes,
+                   std::size_t buffers) {
   const std::size_t each = std::min(buffers, slabs);
   for (const Engine* engine : engines) {
     // On a CPU device a buffer in host memory is mapped without a copy; a GPU computes in its own memory.
@@ -36,8 +37,8 @@ std::optional<SlabRing::Turn> SlabRing::take(const Engine& engine, std::size_t e
   Buffer* buffer = nullptr;
   std::unique_lock lock(mutex_);
   changed_.wait(lock, [&] {
-    const auto free =
-        std::find_if(buffers_.begin(), buffers_.end(), [&](const Buffer& b) { return b.engine == &engine && b.free; });
+    const auto free = std::find_if(buffers_.begin(), buffers_.end(),
+                                   [&](const Buffer& b) { return b.engine == &engine && b.free; });
     buffer = free == buffers_.end() ? nullptr : &*free;
     return buffer || failure_;
   });
@@ -46,7 +47,8 @@ std::optional<SlabRing::Turn> SlabRing::take(const Engine& engine, std::size_t e
   const std::size_t slab = next_slab_++;
   buffer->free = false;
   lock.unlock();
-  if (buffer->host) engine.queue().enqueueUnmapMemObject(buffer->device, std::exchange(buffer->host, nullptr));
+  if (buffer->host)
+    engine.queue().enqueueUnmapMemObject(buffer->device, std::exchange(buffer->host, nullptr));
   return Turn{slab, buffer->device, buffer};
 }
 

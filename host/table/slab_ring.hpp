@@ -35,12 +35,14 @@ class SlabRing {
   };
 
   /// For `slabs` slabs of at most `slab_bytes`; `buffers` for each engine.
-  SlabRing(std::span<const Engine* const> engines, std::size_t slabs, std::size_t slab_bytes, std::size_t buffers = 3);
+  SlabRing(std::span<const Engine* const> engines, std::size_t slabs, std::size_t slab_bytes,
+           std::size_t buffers = 3);
   SlabRing(const SlabRing&) = delete;
   SlabRing& operator=(const SlabRing&) = delete;
   ~SlabRing();
 
-  /// Waits for a buffer of the engine; none where all slabs below `end` have been taken. Rethrows any thread's exception.
+  /// Waits for a buffer of the engine; none where all slabs below `end` have been taken. Rethrows any
+  /// thread's exception.
   std::optional<Turn> take(const Engine& engine, std::size_t end);
 
   /// Waits for the device, and gives the buffer's first `bytes` for reading on the host.

@@ -41,8 +41,10 @@ std::vector<AttributeInfo> material_attributes(const Material& material) {
   list.text("material_license", material.license());
   list.text("material", material.text());
   if (!material.has_wavelengths())
-    for (const auto& row : parameter_table) list.number(std::string(row.name), material.bands().front().parameters.*row.member);
-  for (const auto& row : switch_table()) list.text(std::string(row.name), choice_name(row, material.switches()));
+    for (const auto& row : parameter_table)
+      list.number(std::string(row.name), material.bands().front().parameters.*row.member);
+  for (const auto& row : variant_table())
+    list.text(std::string(row.name), choice_name(row, material.variant()));
   return list.take();
 }
 
@@ -50,7 +52,7 @@ std::vector<AttributeInfo> content_attributes(const TableContent& content) {
   Attributes list;
   list.text("Conventions", "CF-1.10");
   list.text("title", fmt::format("BRDF of {}", content.material.name()));
-  list.text("source", program_source);
+  list.text("source", program_version);
   list.text("references", paper_reference);
   list.text("history", content.history);
   list.append(material_attributes(content.material));
@@ -80,8 +82,9 @@ std::vector<AttributeInfo> findings_attributes(const TableFindings& findings) {
   }
   list.number("normalization_relative_error", normalization_error);
   list.number("dhr_relative_error", dhr_error);
-  list.text("energy", findings.energy_warnings.empty() ? "DHR is at most 1 at every theta_i"
-                                                       : fmt::format("{}", fmt::join(findings.energy_warnings, "; ")));
+  list.text("energy", findings.energy_warnings.empty()
+                          ? "DHR is at most 1 at every theta_i"
+                          : fmt::format("{}", fmt::join(findings.energy_warnings, "; ")));
   list.text("accuracy", "nodes of this table compared with the scalar reference while it was made");
   list.number("accuracy_nodes", static_cast<double>(findings.accuracy.nodes));
   list.number("accuracy_max_relative_error", findings.accuracy.max_relative_error);
@@ -108,19 +111,24 @@ std::vector<IntegralVariable> integral_variables(const std::vector<Integrals>& b
   const auto add = [&](std::string name, std::string long_name, auto value_at) {
     std::vector<double> values;
     for (const auto& band : bands)
-      for (std::size_t k = 0; k < band.normalization.value[0].size(); ++k) values.push_back(value_at(band, k));
+      for (std::size_t k = 0; k < band.normalization.value[0].size(); ++k)
+        values.push_back(value_at(band, k));
     list.push_back({std::move(name), std::move(long_name), std::move(values)});
   };
   for (std::size_t lobe = 0; lobe < 3; ++lobe)
     add(fmt::format("normalization_{}", lobe_names[lobe]),
-        fmt::format("N of the {} lobe: 1 / integral of the bare lobe over direction cosines", lobe_names[lobe]),
+        fmt::format("N of the {} lobe: 1 / integral of the bare lobe over direction cosines",
+                    lobe_names[lobe]),
         [&](const Integrals& band, std::size_t k) { return band.normalization.value[lobe][k]; });
   add("dhr", "directional-hemispherical reflectance, unpolarised light",
       [](const Integrals& band, std::size_t k) { return band.dhr.total(k, Polarization::unpolarized); });
   for (std::size_t lobe = 0; lobe < 3; ++lobe)
     add(fmt::format("dhr_{}", lobe_names[lobe]),
-        fmt::format("directional-hemispherical reflectance of the {} lobe, unpolarised light", lobe_names[lobe]),
-        [&](const Integrals& band, std::size_t k) { return band.dhr.lobe(lobe, k, Polarization::unpolarized); });
+        fmt::format("directional-hemispherical reflectance of the {} lobe, unpolarised light",
+                    lobe_names[lobe]),
+        [&](const Integrals& band, std::size_t k) {
+          return band.dhr.lobe(lobe, k, Polarization::unpolarized);
+        });
   return list;
 }
 

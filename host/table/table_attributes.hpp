@@ -11,7 +11,8 @@ namespace brdftab {
 /// What follows from the material's text: a table whose attributes say anything else has been edited.
 std::vector<AttributeInfo> material_attributes(const Material& material);
 
-/// Conventions, the material and how the table was made, in the order in which files show them; no empty text.
+/// Conventions, the material and how the table was made, in the order in which files show them; no empty
+/// text.
 std::vector<AttributeInfo> content_attributes(const TableContent& content);
 
 /// To how many bits samples are rounded, and the relative error of that; none where they are not.

@@ -23,27 +23,29 @@ constexpr std::string_view exr_signature = "\x76\x2f\x31\x01"sv;
 }  // namespace
 
 const VariableInfo* TableInfo::variable(std::string_view name) const {
-  const auto at = std::find_if(variables.begin(), variables.end(), [&](const auto& v) { return v.name == name; });
+  const auto at =
+      std::find_if(variables.begin(), variables.end(), [&](const auto& v) { return v.name == name; });
   return at == variables.end() ? nullptr : &*at;
 }
 
 const AttributeValue* TableInfo::attribute(std::string_view name) const {
-  const auto at = std::find_if(attributes.begin(), attributes.end(), [&](const auto& a) { return a.name == name; });
+  const auto at =
+      std::find_if(attributes.begin(), attributes.end(), [&](const auto& a) { return a.name == name; });
   return at == attributes.end() ? nullptr : &at->value;
 }
 
 std::unique_ptr<TableReader> open_table(const std::filesystem::path& path) {
   std::error_code error;
   if (!std::filesystem::exists(path, error)) throw FileError("{}: does not exist", path.string());
-  if (std::filesystem::is_directory(path, error)) return open_exr_table(path);
+  if (std::filesystem::is_directory(path, error)) return open_exr_reader(path);
   std::ifstream file(path, std::ios::binary);
   if (!file) throw FileError("{}: cannot be read: {}", path.string(), std::generic_category().message(errno));
   std::string start(8, '\0');
   file.read(start.data(), static_cast<std::streamsize>(start.size()));
   start.resize(static_cast<std::size_t>(file.gcount()));
   if (start.empty()) throw FileError("{}: is empty", path.string());
-  if (start == hdf5_signature) return open_hdf5_table(path);
-  if (start.starts_with(exr_signature)) return open_exr_table(path);
+  if (start == hdf5_signature) return open_hdf5_reader(path);
+  if (start.starts_with(exr_signature)) return open_exr_reader(path);
   throw BadInput("{}: is neither an HDF5 nor an OpenEXR file", path.string());
 }
 

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "host/table/attribute.hpp"
+#include "host/compute/slab.hpp"
 #include "host/formats/hdf5/hdf5_storage.hpp"
 #include "host/model/polarization.hpp"
-#include "host/compute/slab.hpp"
+#include "host/table/attribute.hpp"
 
 namespace brdftab {
 
@@ -23,7 +23,7 @@ struct VariableInfo {
   std::string units;
   std::string long_name;
   bool is_axis = false;
-  std::vector<double> values;          // of variables of one or two dimensions; nan where a value is no number
+  std::vector<double> values;  // of variables of one or two dimensions; nan where a value is no number
   std::optional<Hdf5Storage> storage;  // of variables of an HDF5 file
 };
 
@@ -43,16 +43,18 @@ class TableReader {
 
   virtual const TableInfo& info() const = 0;
 
-  /// Samples of a box of nodes, [theta_i][phi_i][theta_s][phi_s], from the variable of a polarisation that `info` lists.
-  /// Throws FileError where the file does not have them whole.
-  virtual void read(Polarization polarization, std::size_t band, const Slab& box, std::span<double> samples) = 0;
+  /// Samples of a box of nodes, [theta_i][phi_i][theta_s][phi_s], from the variable of a polarisation that
+  /// `info` lists. Throws FileError where the file does not have them whole.
+  virtual void read(Polarization polarization, std::size_t band, const Slab& box,
+                    std::span<double> samples) = 0;
 };
 
-/// Opens by the file's first bytes; a folder holds the slices of an OpenEXR table. Throws FileError where it cannot be
-/// read, a truncated one included, and BadInput where it is not a table of this program.
+/// Opens by the file's first bytes; a folder holds the slices of an OpenEXR table. Throws FileError where it
+/// cannot be read, a truncated one included, and BadInput where it is not a table of this program.
 std::unique_ptr<TableReader> open_table(const std::filesystem::path& path);
 
-/// Whether a file is to be opened as a table: a folder, what is named as one, or begins as HDF5 or OpenEXR does; "-" is not.
+/// Whether a file is to be opened as a table: a folder, what is named as one, or begins as HDF5 or OpenEXR
+/// does; "-" is not.
 bool is_table(const std::filesystem::path& file);
 
 }  // namespace brdftab

@@ -20,8 +20,9 @@ struct TableStorage {
   Layout layout = Layout::contiguous;
 };
 
-/// The nodes whose samples are computed and stored: those of the table, or, for a view, those of theta_i, theta_s and
-/// phi = phi_s - phi_i, with phi in phi_s's place and 0 as the one phi_i. Throws BadInput where a view cannot be had.
+/// The nodes whose samples are computed and stored: those of the table, or, for a view, those of theta_i,
+/// theta_s and phi = phi_s - phi_i, with phi in phi_s's place and 0 as the one phi_i. Throws BadInput where a
+/// view cannot be had.
 Grid stored_grid(const Grid& dense, const TableStorage& storage);
 
 /// What is not plain about the storage of a table, in words; empty where all is.

@@ -13,7 +13,8 @@ class TableWriter {
   virtual ~TableWriter() = default;
 
   /// Samples of a slab in the table's precision, contiguous, [theta_i][phi_i][theta_s][phi_s].
-  virtual void write(std::size_t polarization, std::size_t band, const Slab& slab, std::span<const std::byte> samples) = 0;
+  virtual void write(std::size_t polarization, std::size_t band, const Slab& slab,
+                     std::span<const std::byte> samples) = 0;
 
   /// Writes what is known only at the end, and closes. Throws FileError.
   virtual void finish(const TableFindings& findings) = 0;

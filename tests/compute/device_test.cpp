@@ -1,5 +1,5 @@
-// Rung 3: the kernels on the OpenCL device, against the same source as C++ and against the scalar reference; direct
-// path and factored path, in every precision.
+// Rung 3: the kernels on the OpenCL device, against the same source as C++ and against the scalar reference;
+// direct path and factored path, in every precision.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -32,7 +32,7 @@ const Engine& engine(Precision working, Precision table) {
   if (!select_device(std::nullopt).has_fp64) GTEST_SKIP() << "the device has no fp64"
 
 // A material through its file, the only way to have one.
-Material material_of(const Parameters& p, const ModelSwitches& switches) {
+Material material_of(const Parameters& p, const Variant& variant) {
   static const char* const normalizations[] = {"hemispherical", "reciprocal", "closed-form"};
   static const char* const shadowings[] = {"all", "surface", "none"};
   std::string text = "name = \"random\"\n[parameters]\n";
@@ -40,9 +40,9 @@ Material material_of(const Parameters& p, const ModelSwitches& switches) {
   text += fmt::format(
       "[model]\nnormalization = \"{}\"\nautocovariance = \"{}\"\nforeshortening = {}\nwidth_shadowing = {}\n"
       "reflectance_shadowing = \"{}\"\n",
-      normalizations[static_cast<int>(switches.normalization)],
-      switches.autocovariance == Autocovariance::gaussian ? "gaussian" : "lorentzian", switches.foreshortening,
-      switches.width_shadowing, shadowings[static_cast<int>(switches.reflectance_shadowing)]);
+      normalizations[static_cast<int>(variant.normalization)],
+      variant.autocovariance == Autocovariance::gaussian ? "gaussian" : "lorentzian", variant.foreshortening,
+      variant.width_shadowing, shadowings[static_cast<int>(variant.reflectance_shadowing)]);
   return Material::parse(text, "random");
 }
 
@@ -54,14 +54,16 @@ TEST(Device, SharedStructsHaveOneLayout) {
     set_arguments(kernel, bytes);
     e.run_items(kernel, {1, 1, 1});
     const auto sizes = e.download_ints(bytes, 4);
-    EXPECT_EQ(sizes[0], working == Precision::float64 ? static_cast<int>(sizeof(kernel_f64::MaterialConstants))
-                                                      : static_cast<int>(sizeof(kernel_f32::MaterialConstants)));
+    EXPECT_EQ(sizes[0], working == Precision::float64
+                            ? static_cast<int>(sizeof(kernel_f64::MaterialConstants))
+                            : static_cast<int>(sizeof(kernel_f32::MaterialConstants)));
     EXPECT_EQ(sizes[1], static_cast<int>(sizeof(kernel_f64::ModelVariant)));
     const double angle = 30;
     EXPECT_EQ(sizes[2], static_cast<int>(8 * bytes_of(working)));
-    EXPECT_EQ(sizes[3], static_cast<int>(working == Precision::float64
-                                             ? kernels_on_host::Double::azimuth_tables({&angle, 1}).factors.size()
-                                             : kernels_on_host::Float::azimuth_tables({&angle, 1}).factors.size()));
+    EXPECT_EQ(sizes[3],
+              static_cast<int>(working == Precision::float64
+                                   ? kernels_on_host::Double::azimuth_tables({&angle, 1}).factors.size()
+                                   : kernels_on_host::Float::azimuth_tables({&angle, 1}).factors.size()));
   }
 }
 
@@ -75,19 +77,22 @@ std::vector<DirectionPair> random_pairs(RandomMaterials& random, int incidences,
   return pairs;
 }
 
-// The maths is IEEE arithmetic alone, each operation rounded by itself: every device gives the bits that the host gives.
+// The maths is IEEE arithmetic alone, each operation rounded by itself: every device gives the bits that the
+// host gives.
 TEST(Device, DirectPathHasTheBitsOfTheSameSourceInCpp) {
   REQUIRE_FP64();
   RandomMaterials random(21);
   for (int k = 0; k < 24; ++k) {
     const Parameters p = random.plausible();
-    const ModelSwitches switches = k % 2 ? random.switches() : ModelSwitches{};
-    SCOPED_TRACE(text_of(p) + text_of(switches));
+    const Variant variant = k % 2 ? random.variant() : Variant{};
+    SCOPED_TRACE(text_of(p) + text_of(variant));
     const auto pairs = random_pairs(random, 3, 30);
-    const auto wide = evaluate(engine(Precision::float64, Precision::float32), {std::nullopt, p}, switches, pairs);
-    const auto narrow = evaluate(engine(Precision::float32, Precision::float32), {std::nullopt, p}, switches, pairs);
-    const auto f = kernels_on_host::Double::brdf(p, switches, pairs);
-    const auto g = kernels_on_host::Float::brdf(p, switches, pairs);
+    const auto wide =
+        evaluate(engine(Precision::float64, Precision::float32), {std::nullopt, p}, variant, pairs);
+    const auto narrow =
+        evaluate(engine(Precision::float32, Precision::float32), {std::nullopt, p}, variant, pairs);
+    const auto f = kernels_on_host::Double::brdf(p, variant, pairs);
+    const auto g = kernels_on_host::Float::brdf(p, variant, pairs);
     for (std::size_t j = 0; j < pairs.size(); ++j) {
       const auto at = fmt::format("{} {} {}", pairs[j].theta_i, pairs[j].theta_s, pairs[j].phi);
       EXPECT_EQ(wide[j].s, f[j].s) << at;
@@ -109,14 +114,16 @@ TEST(Device, WidthOfAWorkItemDoesNotChangeTheBits) {
   for (const std::size_t width : {1, 2, 4, 8, 16}) {
     const Engine e(select_device(std::nullopt), Precision::float64, Precision::float32, width);
     const auto f = evaluate(e, {std::nullopt, p}, {}, pairs);
-    for (std::size_t j = 0; j < pairs.size(); ++j) ASSERT_EQ(f[j].s, expected[j].s) << "width " << width << ", pair " << j;
+    for (std::size_t j = 0; j < pairs.size(); ++j)
+      ASSERT_EQ(f[j].s, expected[j].s) << "width " << width << ", pair " << j;
   }
 }
 
 TEST(Device, NegativeThetaSIsTheBackwardSide) {
   REQUIRE_FP64();
   const Parameters p{1.24, 0, 1.9, .45, .073, .88, .061, 1.9, .21, .12, .9, 0, 2, 0};
-  const std::vector<DirectionPair> pairs{{30, -40, 0, 0}, {30, 40, 180, 0}, {30, 40, -180, 0}, {30, 40, 0, 0}};
+  const std::vector<DirectionPair> pairs{
+      {30, -40, 0, 0}, {30, 40, 180, 0}, {30, 40, -180, 0}, {30, 40, 0, 0}};
   const auto f = evaluate(engine(Precision::float64, Precision::float32), {std::nullopt, p}, {}, pairs);
   EXPECT_EQ(f[0].s, f[1].s);
   EXPECT_EQ(f[1].p, f[2].p);
@@ -126,7 +133,8 @@ TEST(Device, NegativeThetaSIsTheBackwardSide) {
 TEST(Device, RefusesAnAngleThatFloatRoundsTo90) {
   const Parameters p{1.24, 0, 1.9, .45, .073, .88, .061, 1.9, .21, .12, .9, 0, 2, 0};
   const std::vector<DirectionPair> pairs{{10, 89.9999999, 0, 0}};
-  EXPECT_THROW(evaluate(engine(Precision::float32, Precision::float32), {std::nullopt, p}, {}, pairs), BadInput);
+  EXPECT_THROW(evaluate(engine(Precision::float32, Precision::float32), {std::nullopt, p}, {}, pairs),
+               BadInput);
   REQUIRE_FP64();
   EXPECT_GT(evaluate(engine(Precision::float64, Precision::float32), {std::nullopt, p}, {}, pairs)[0].s, 0);
 }
@@ -138,7 +146,8 @@ TEST(Plan, RefusesAnAngleThatFloatRoundsTo90) {
   grid.theta_i = Axis(AxisKind::theta_i, {0, 60});
   const auto plan = [&](double theta_s) {
     grid.theta_s = Axis(AxisKind::theta_s, {30, theta_s});
-    Plan(e, material, material.bands()[0], grid, integrals(e, material.bands()[0], material.switches(), grid.theta_i.nodes()));
+    Plan(e, material, material.bands()[0], grid,
+         integrals(e, material.bands()[0], material.variant(), grid.theta_i.nodes()));
   };
   EXPECT_THROW(plan(89.9999999), BadInput);
   EXPECT_NO_THROW(plan(89.99));
@@ -160,21 +169,22 @@ TEST_P(FactoredTable, EqualsReferenceAtEveryNode) {
   double worst = 0;
   for (int k = 0; k < 60; ++k) {
     const Parameters p = k % 2 ? random.parameters() : random.plausible();
-    const ModelSwitches switches = k % 4 < 2 ? ModelSwitches{} : random.switches();
-    SCOPED_TRACE(text_of(p) + text_of(switches));
-    const Material material = material_of(p, switches);
+    const Variant variant = k % 4 < 2 ? Variant{} : random.variant();
+    SCOPED_TRACE(text_of(p) + text_of(variant));
+    const Material material = material_of(p, variant);
     Grid grid;
     std::vector<double> theta{0, random.uniform(1, 30), random.uniform(30, 60), random.uniform(60, 89), 89.9};
     grid.theta_i = Axis(AxisKind::theta_i, theta);
     grid.theta_s = Axis(AxisKind::theta_s, theta);
     grid.phi_i = Axis::parse(AxisKind::phi_i, k % 3 ? "0:270:90" : "0");
-    grid.phi_s = Axis(AxisKind::phi_s, {0.25, random.uniform(1, 80), 90, random.uniform(95, 170), 179.75, 270, 359.75});
+    grid.phi_s = Axis(AxisKind::phi_s,
+                      {0.25, random.uniform(1, 80), 90, random.uniform(95, 170), 179.75, 270, 359.75});
     const Slab whole{{0, theta.size()}, {0, grid.phi_i.size()}, {0, theta.size()}, grid.phi_s.size()};
     const std::size_t bytes = whole.nodes() * bytes_of(e.table());
-    const reference::Model model(p, switches);
+    const reference::Model model(p, variant);
     try {
       Plan plan(e, material, material.bands()[0], grid,
-                integrals(e, material.bands()[0], material.switches(), grid.theta_i.nodes()));
+                integrals(e, material.bands()[0], material.variant(), grid.theta_i.nodes()));
       for (const Polarization polarization : {Polarization::unpolarized, Polarization::s, Polarization::p}) {
         const cl::Buffer samples = e.buffer(bytes);
         plan.tabulate(whole, polarization, samples);
@@ -186,8 +196,9 @@ TEST_P(FactoredTable, EqualsReferenceAtEveryNode) {
           for (const double phi_i : grid.phi_i.nodes())
             for (const double s : theta)
               for (const double phi_s : grid.phi_s.nodes()) {
-                const double value = e.table() == Precision::float64 ? reinterpret_cast<const double*>(host.data())[at]
-                                                                     : reinterpret_cast<const float*>(host.data())[at];
+                const double value = e.table() == Precision::float64
+                                         ? reinterpret_cast<const double*>(host.data())[at]
+                                         : reinterpret_cast<const float*>(host.data())[at];
                 ++at;
                 const auto f = model.brdf(i, s, phi_s - phi_i);
                 const double expected = (polarization == Polarization::s   ? f.s
@@ -199,12 +210,14 @@ TEST_P(FactoredTable, EqualsReferenceAtEveryNode) {
                 worst = std::max(worst, error);
                 ++compared;
                 ASSERT_LE(error, GetParam().tolerance)
-                    << "theta_i = " << i << ", phi_i = " << phi_i << ", theta_s = " << s << ", phi_s = " << phi_s << ": "
+                    << "theta_i = " << i << ", phi_i = " << phi_i << ", theta_s = " << s
+                    << ", phi_s = " << phi_s << ": "
                     << fmt::format("{:.17g}, expected {:.17g}", value, expected);
               }
       }
     } catch (const BadInput& refused) {
-      // A lobe too narrow for the precision is refused by name; the reference must agree that it is singular or beyond it.
+      // A lobe too narrow for the precision is refused by name; the reference must agree that it is singular
+      // or beyond it.
       EXPECT_NE(std::string(refused.what()).find("rho_"), std::string::npos) << refused.what();
     }
   }
@@ -229,7 +242,7 @@ TEST(Plan, SlabsDoNotChangeTheBytes) {
   grid.phi_s = Axis::parse(AxisKind::phi_s, "0:360:10");
   const auto table = [&](std::size_t most_nodes) {
     Plan plan(e, material, material.bands()[0], grid,
-              integrals(e, material.bands()[0], material.switches(), grid.theta_i.nodes()));
+              integrals(e, material.bands()[0], material.variant(), grid.theta_i.nodes()));
     std::vector<std::byte> all;
     for (const Slab& slab : slabs(grid, most_nodes)) {
       const std::size_t bytes = slab.nodes() * sizeof(float);
@@ -245,7 +258,8 @@ TEST(Plan, SlabsDoNotChangeTheBytes) {
   const auto whole = table(grid.directions());
   ASSERT_EQ(whole.size(), grid.directions() * sizeof(float));
   const std::size_t slice = grid.theta_s.size() * grid.phi_s.size();
-  for (const std::size_t most : {std::size_t{1}, 3 * grid.phi_s.size(), slice, 5 * slice, 2 * grid.phi_i.size() * slice})
+  for (const std::size_t most :
+       {std::size_t{1}, 3 * grid.phi_s.size(), slice, 5 * slice, 2 * grid.phi_i.size() * slice})
     EXPECT_TRUE(table(most) == whole) << "slabs of " << most << " nodes";
 }
 

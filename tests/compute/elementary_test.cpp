@@ -1,9 +1,9 @@
-// Our own elementary and special functions against long double and Boost: the errors that their comments and the
-// kernels' documentation state, in units in the last place (ulp).
+// Our own elementary and special functions against long double and Boost: the errors that their comments and
+// the kernels' documentation state, in units in the last place (ulp).
+#include <boost/math/special_functions/gamma.hpp>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <boost/math/special_functions/gamma.hpp>
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -84,7 +84,9 @@ TEST(Elementary, SineAndCosineOfDegrees) {
   const auto cosine = [](double x) { return sincos_degrees(x).cosine; };
   EXPECT_LE(worst_ulps(uniform(0, 89.99), sine, [&](long double x) { return std::sin(x * degree); }), 2.0);
   // Through 90 - x, which is exact: long double's pi would lose digits of cos near 90 degrees.
-  EXPECT_LE(worst_ulps(uniform(45, 89.99999), cosine, [&](long double x) { return std::sin((90 - x) * degree); }), 2.0);
+  EXPECT_LE(
+      worst_ulps(uniform(45, 89.99999), cosine, [&](long double x) { return std::sin((90 - x) * degree); }),
+      2.0);
   EXPECT_LE(worst_ulps(uniform(-45, 45), cosine, [&](long double x) { return std::cos(x * degree); }), 2.0);
   EXPECT_EQ(sine(180), 0);
   EXPECT_EQ(cosine(270), 0);
@@ -102,8 +104,8 @@ MaterialConstants constants(double n, double w) {
   return brdftab::material_constants<MaterialConstants>(p);
 }
 
-// Q and its logarithm over the whole range of n and w. A relative error of the exponent a (lambda - 1 - ln lambda)
-// shows in Q times that exponent, so the bound grows with it.
+// Q and its logarithm over the whole range of n and w. A relative error of the exponent a (lambda - 1 - ln
+// lambda) shows in Q times that exponent, so the bound grows with it.
 TEST(Elementary, UpperGamma) {
   std::mt19937_64 random(32);
   double worst = 0;
@@ -121,10 +123,12 @@ TEST(Elementary, UpperGamma) {
     const long double x = a * static_cast<long double>(lambda);
     if (x > 600) continue;
     const long double exact = boost::math::gamma_q(a, x);
-    const double exponent = std::abs(static_cast<double>(a * (lambda - 1 - std::log(static_cast<long double>(lambda)))));
+    const double exponent =
+        std::abs(static_cast<double>(a * (lambda - 1 - std::log(static_cast<long double>(lambda)))));
     worst = std::max(worst, static_cast<double>(std::abs(q.value / exact - 1)) / (1 + exponent));
     if (exact < 0.99L)
-      worst_logarithm = std::max(worst_logarithm, static_cast<double>(std::abs(q.logarithm / std::log(exact) - 1)));
+      worst_logarithm =
+          std::max(worst_logarithm, static_cast<double>(std::abs(q.logarithm / std::log(exact) - 1)));
   }
   RecordProperty("worst_relative_error", fmt::format("{}", worst));
   EXPECT_LE(worst, 2e-15);

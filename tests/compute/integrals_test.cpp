@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "host/table/energy.hpp"
 #include "host/reference/model.hpp"
+#include "host/table/energy.hpp"
 #include "tests/random_materials.hpp"
 
 namespace brdftab {
@@ -25,11 +25,12 @@ class OnDevice : public testing::Test {
   std::optional<Engine> engine_;
 };
 
-void compare(const Engine& engine, const Parameters& p, const ModelSwitches& switches, const std::vector<double>& theta) {
-  SCOPED_TRACE(text_of(p) + text_of(switches));
+void compare(const Engine& engine, const Parameters& p, const Variant& variant,
+             const std::vector<double>& theta) {
+  SCOPED_TRACE(text_of(p) + text_of(variant));
   const Band band{std::nullopt, p};
-  const Integrals device = integrals(engine, band, switches, theta);
-  const Integrals reference = reference_integrals(band, switches, theta);
+  const Integrals device = integrals(engine, band, variant, theta);
+  const Integrals reference = reference_integrals(band, variant, theta);
   for (std::size_t lobe = 0; lobe < 3; ++lobe)
     for (std::size_t k = 0; k < theta.size(); ++k) {
       const std::string at = fmt::format("{} lobe, theta_i = {}", lobe_names[lobe], theta[k]);
@@ -37,7 +38,9 @@ void compare(const Engine& engine, const Parameters& p, const ModelSwitches& swi
       EXPECT_NEAR(device.normalization.value[lobe][k], n, tolerance_n * n) << at;
       for (const auto member : {&Dhr::s, &Dhr::p}) {
         const double expected = (reference.dhr.*member)[lobe][k];
-        EXPECT_NEAR((device.dhr.*member)[lobe][k], expected, tolerance_dhr * expected + smallest_dhr * tolerance_dhr) << at;
+        EXPECT_NEAR((device.dhr.*member)[lobe][k], expected,
+                    tolerance_dhr * expected + smallest_dhr * tolerance_dhr)
+            << at;
       }
       EXPECT_LE(device.dhr.error[lobe][k], tolerance_dhr) << at;
     }
@@ -53,11 +56,12 @@ TEST_F(OnDevice, IntegralsEqualReferenceForVariants) {
   RandomMaterials random(32);
   for (int k = 0; k < 8 && !HasFailure(); ++k) {
     const Parameters p = random.plausible();
-    compare(*engine_, p, random.switches(), {0, random.uniform(0, 60), random.uniform(60, 85)});
+    compare(*engine_, p, random.variant(), {0, random.uniform(0, 60), random.uniform(60, 85)});
   }
 }
 
-// A lossless lobe: no shadowing, no interface (R = 0), so DHR of the bulk lobe is its amplitude times the whole of N/D.
+// A lossless lobe: no shadowing, no interface (R = 0), so DHR of the bulk lobe is its amplitude times the
+// whole of N/D.
 TEST_F(OnDevice, LosslessBulkLobeReflectsItsAmplitude) {
   const Parameters p{1, 0, 1, 0.2, 0.7, 0.05, 0.25, 0.01, 0, 0, 0, 0, 1.2, 7};
   const Integrals at = integrals(*engine_, {std::nullopt, p}, {}, std::vector<double>{0, 30, 60, 85, 89.9});
@@ -73,8 +77,8 @@ TEST_F(OnDevice, LosslessBulkLobeReflectsItsAmplitude) {
 TEST_F(OnDevice, BhrEqualsReference) {
   for (const char* name : {"garnet-red-paint"}) {
     const Material m = Material::read(fmt::format("{}/{}.toml", BRDFTAB_MATERIALS_DIR, name));
-    const Bhr device = bhr(*engine_, m.bands()[0], m.switches());
-    const Bhr reference = reference_bhr(m.bands()[0], m.switches());
+    const Bhr device = bhr(*engine_, m.bands()[0], m.variant());
+    const Bhr reference = reference_bhr(m.bands()[0], m.variant());
     EXPECT_NEAR(device.s, reference.s, 1e-7 * reference.s) << name;
     EXPECT_NEAR(device.p, reference.p, 1e-7 * reference.p) << name;
   }
@@ -84,12 +88,14 @@ TEST_F(OnDevice, EnergyIsWarnedOfByAngleAndLobe) {
   const Parameters p{1, 0, 1, 0.2, 0.7, 0.05, 1.25, 0.01, 0, 0, 0, 0, 1.2, 7};
   const Band band{std::nullopt, p};
   const Material m = Material::parse(
-      "name = \"bright\"\n[parameters]\nn_eff = 1\nk_eff = 0\nsigma_surface = 1\nrho_surface = 0.2\nsigma_bulk = 0.7\n"
-      "rho_bulk = 0.05\nsigma_retro = 1.25\nrho_retro = 0.01\nw_a = 0\nw_b = 0\ngamma = 0\ndelta = 0\nw = 1.2\nn = 7\n",
+      "name = \"bright\"\n[parameters]\nn_eff = 1\nk_eff = 0\nsigma_surface = 1\nrho_surface = "
+      "0.2\nsigma_bulk = 0.7\n"
+      "rho_bulk = 0.05\nsigma_retro = 1.25\nrho_retro = 0.01\nw_a = 0\nw_b = 0\ngamma = 0\ndelta = 0\nw = "
+      "1.2\nn = 7\n",
       "bright");
   const std::vector<double> theta{0, 40};
-  const auto warnings =
-      energy_warnings(m, m.bands()[0], theta, integrals(*engine_, band, {}, theta).dhr, {Polarization::unpolarized});
+  const auto warnings = energy_warnings(m, m.bands()[0], theta, integrals(*engine_, band, {}, theta).dhr,
+                                        {Polarization::unpolarized});
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_NE(warnings[0].find("theta_i ="), std::string::npos) << warnings[0];
   EXPECT_NE(warnings[0].find("retro lobe has 1.25"), std::string::npos) << warnings[0];
@@ -97,7 +103,7 @@ TEST_F(OnDevice, EnergyIsWarnedOfByAngleAndLobe) {
 
 TEST_F(OnDevice, ReciprocityIsPerfectWhereTheModelIsSymmetric) {
   const Parameters p{1.3, 0.1, 1, 0.2, 0.7, 0.5, 0.25, 0.1, 0.2, 0.1, 1, 0.3, 1.2, 7};
-  ModelSwitches symmetric;
+  Variant symmetric;
   symmetric.normalization = Normalization::reciprocal;
   symmetric.reflectance_shadowing = ReflectanceShadowing::none;
   EXPECT_LE(reciprocity({std::nullopt, p}, symmetric).maximum, 1e-12);

@@ -1,11 +1,11 @@
-// Rungs 1 and 2: the kernels' maths compiled as C++, against the scalar reference, over random parameters from the
-// whole valid ranges and their ends.
+// Rungs 1 and 2: the kernels' maths compiled as C++, against the scalar reference, over random parameters
+// from the whole valid ranges and their ends.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "host/reference/model.hpp"
 #include "host/compute/on_host/kernels_on_host.hpp"
+#include "host/reference/model.hpp"
 #include "tests/random_materials.hpp"
 
 namespace brdftab {
@@ -17,7 +17,8 @@ using kernels_on_host::Float;
 // What the project promises; measured: 1e-13 and 1e-14.
 constexpr double tolerance_f = 1e-12;
 constexpr double tolerance_n = 1e-10;
-// Single precision carries 6e-8; an exponential tail of V or V_m multiplies that by its exponent, up to 70 above 1e-30.
+// Single precision carries 6e-8; an exponential tail of V or V_m multiplies that by its exponent, up to 70
+// above 1e-30.
 constexpr double tolerance_f_float = 5e-5;
 constexpr double tolerance_n_float = 1e-4;
 constexpr double smallest_f = 1e-30;
@@ -45,12 +46,12 @@ void for_random_directions(unsigned seed, int materials, bool variants, Body bod
   RandomMaterials random(seed);
   for (int k = 0; k < materials; ++k) {
     const Parameters parameters = k % 3 == 0 ? random.plausible() : random.parameters();
-    const ModelSwitches switches = variants ? random.switches() : ModelSwitches{};
-    SCOPED_TRACE(text_of(parameters) + text_of(switches));
-    const reference::Model model(parameters, switches);
+    const Variant variant = variants ? random.variant() : Variant{};
+    SCOPED_TRACE(text_of(parameters) + text_of(variant));
+    const reference::Model model(parameters, variant);
     for (int i = 0; i < 4; ++i) {
       const double theta_i = random.theta();
-      for (int s = 0; s < 4; ++s) body(parameters, switches, model, random_pair(random, theta_i));
+      for (int s = 0; s < 4; ++s) body(parameters, variant, model, random_pair(random, theta_i));
       if (testing::Test::HasFailure()) return;
     }
   }
@@ -60,9 +61,9 @@ void expect_close(double value, double expected, double tolerance, const Pair& a
   if (std::isinf(value) && std::isinf(expected)) return;
   if (expected < smallest_f && value < 2 * smallest_f) return;
   EXPECT_LE(std::abs(value - expected), tolerance * expected)
-      << what << " at theta_i = " << at.theta_i << ", theta_s = " << at.theta_s << ", phi = " << at.phi << ": "
-      << fmt::format("{:.17g}", value) << ", expected " << fmt::format("{:.17g}", expected) << ", relative "
-      << value / expected - 1;
+      << what << " at theta_i = " << at.theta_i << ", theta_s = " << at.theta_s << ", phi = " << at.phi
+      << ": " << fmt::format("{:.17g}", value) << ", expected " << fmt::format("{:.17g}", expected)
+      << ", relative " << value / expected - 1;
 }
 
 class KernelsInDouble : public testing::TestWithParam<bool> {};
@@ -70,12 +71,14 @@ class KernelsInDouble : public testing::TestWithParam<bool> {};
 TEST_P(KernelsInDouble, BrdfEqualsReference) {
   int compared = 0;
   for_random_directions(11, 600, GetParam(),
-                        [&](const auto& parameters, const auto& switches, const auto& model, const Pair& at) {
-                          // A Gaussian lobe may be so narrow that N overflows; the program refuses it before any f.
+                        [&](const auto& parameters, const auto& variant, const auto& model, const Pair& at) {
+                          // A Gaussian lobe may be so narrow that N overflows; the program refuses it before
+                          // any f.
                           for (const Lobe lobe : {Lobe::surface, Lobe::bulk, Lobe::retro})
                             for (const double theta : {at.theta_i, at.theta_s})
-                              if (std::isinf(Double::normalization(parameters, switches, lobe, theta).value)) return;
-                          const auto f = Double::brdf(parameters, switches, at.theta_i, at.theta_s, at.phi);
+                              if (std::isinf(Double::normalization(parameters, variant, lobe, theta).value))
+                                return;
+                          const auto f = Double::brdf(parameters, variant, at.theta_i, at.theta_s, at.phi);
                           const auto expected = model.brdf(at.theta_i, at.theta_s, at.phi);
                           expect_close(f.s, expected.s.total(), tolerance_f, at, "f_s");
                           expect_close(f.p, expected.p.total(), tolerance_f, at, "f_p");
@@ -86,10 +89,11 @@ TEST_P(KernelsInDouble, BrdfEqualsReference) {
 
 TEST_P(KernelsInDouble, NormalizationEqualsReference) {
   for_random_directions(12, 300, GetParam(),
-                        [&](const auto& parameters, const auto& switches, const auto& model, const Pair& at) {
+                        [&](const auto& parameters, const auto& variant, const auto& model, const Pair& at) {
                           for (const Lobe lobe : {Lobe::surface, Lobe::bulk, Lobe::retro}) {
-                            const auto n = Double::normalization(parameters, switches, lobe, at.theta_i);
-                            expect_close(n.value, model.normalization(lobe, at.theta_i).value, tolerance_n, at, "N");
+                            const auto n = Double::normalization(parameters, variant, lobe, at.theta_i);
+                            expect_close(n.value, model.normalization(lobe, at.theta_i).value, tolerance_n,
+                                         at, "N");
                             EXPECT_LE(n.error, tolerance_n);
                           }
                         });
@@ -117,7 +121,8 @@ TEST(KernelsInFloat, EqualsDouble) {
       worst = std::max({worst, std::abs(f.s / expected.s - 1), std::abs(f.p / expected.p - 1)});
       for (const Lobe lobe : {Lobe::surface, Lobe::bulk, Lobe::retro})
         expect_close(Float::normalization(parameters, {}, lobe, at.theta_i).value,
-                     Double::normalization(parameters, {}, lobe, at.theta_i).value, tolerance_n_float, at, "N");
+                     Double::normalization(parameters, {}, lobe, at.theta_i).value, tolerance_n_float, at,
+                     "N");
       if (HasFailure()) return;
     }
   }
@@ -145,10 +150,10 @@ TEST(KernelsInDouble, NoSurfaceWithoutContrast) {
 
 TEST(KernelsInDouble, ReciprocalNormalizationIsSymmetricWithoutReflectanceShadowing) {
   RandomMaterials random(14);
-  ModelSwitches switches;
-  switches.normalization = Normalization::reciprocal;
-  switches.reflectance_shadowing = ReflectanceShadowing::none;
-  ModelSwitches hemispherical = switches;
+  Variant variant;
+  variant.normalization = Normalization::reciprocal;
+  variant.reflectance_shadowing = ReflectanceShadowing::none;
+  Variant hemispherical = variant;
   hemispherical.normalization = Normalization::hemispherical;
   int asymmetric = 0;
   for (int k = 0; k < 100; ++k) {
@@ -157,8 +162,8 @@ TEST(KernelsInDouble, ReciprocalNormalizationIsSymmetricWithoutReflectanceShadow
     const double s = random.uniform(0, 85);
     const double phi = random.phi();
     SCOPED_TRACE(text_of(p));
-    const auto forth = Double::brdf(p, switches, i, s, phi);
-    const auto back = Double::brdf(p, switches, s, i, phi);
+    const auto forth = Double::brdf(p, variant, i, s, phi);
+    const auto back = Double::brdf(p, variant, s, i, phi);
     EXPECT_NEAR(forth.s, back.s, 1e-13 * back.s) << i << " " << s << " " << phi;
     EXPECT_NEAR(forth.p, back.p, 1e-13 * back.p) << i << " " << s << " " << phi;
     const double one_way = Double::brdf(p, hemispherical, i, s, phi).s;

@@ -6,8 +6,8 @@
 #include <random>
 
 #include "host/base/error.hpp"
-#include "host/fit/fit_summary.hpp"
 #include "host/compute/integrals.hpp"
+#include "host/fit/fit_summary.hpp"
 #include "host/model/material.hpp"
 #include "host/reference/model.hpp"
 #include "tests/fit/fit_device.hpp"
@@ -15,14 +15,16 @@
 namespace brdftab {
 namespace {
 
-// Readings with sigma^2 = (0.02 f)^2 + (1e-3 1/sr)^2 of a black sample, negative ones included; sigma beside them.
+// Readings with sigma^2 = (0.02 f)^2 + (1e-3 1/sr)^2 of a black sample, negative ones included; sigma beside
+// them.
 const std::filesystem::path noise_data = std::filesystem::path(BRDFTAB_TESTS_DIR) / "data" / "noise";
 
 // A darker and narrower surface on a grey base.
 constexpr Parameters grey{1.4, 0.1, 0.3, 0.15, 0.012, 1.2, 0.004, 0.4, 0.3, 0.2, 1, 0.5, 1.2, 6};
 constexpr NoiseModel grey_noise{0.03, 2e-3};
 
-Measurement noisy(const Parameters& truth, const NoiseModel& noise, double step_i, double step_s, unsigned seed) {
+Measurement noisy(const Parameters& truth, const NoiseModel& noise, double step_i, double step_s,
+                  unsigned seed) {
   const reference::Model model(truth);
   std::mt19937_64 random(seed);
   std::normal_distribution<double> normal;
@@ -43,7 +45,8 @@ class FitNoise : public OnFitDevice {
  protected:
   static double dhr_at_normal_incidence(const Parameters& parameters) {
     const double normal[] = {0};
-    return integrals(engine(), {std::nullopt, parameters}, {}, normal).dhr.total(0, Polarization::unpolarized);
+    return integrals(engine(), {std::nullopt, parameters}, {}, normal)
+        .dhr.total(0, Polarization::unpolarized);
   }
   static FitOptions with_sigma(std::size_t starts = 8) {
     FitOptions options;
@@ -106,8 +109,8 @@ TEST_F(FitNoise, ABlackSampleIsNotMadeBrighterByItsNoise) {
 TEST_F(FitNoise, SoIsAnotherMaterialWithAnotherFloor) {
   const double dhr = dhr_at_normal_incidence(grey);
   const Measurement measurement = noisy(grey, grey_noise, 15, 2, 11);
-  for (const FitOptions& options :
-       {with_sigma(), with_noise("3%,2e-3"), with_noise("estimated"), with_noise("3%,estimated"), with_noise("estimated,2e-3")}) {
+  for (const FitOptions& options : {with_sigma(), with_noise("3%,2e-3"), with_noise("estimated"),
+                                    with_noise("3%,estimated"), with_noise("estimated,2e-3")}) {
     const Found of = found(measurement, options);
     EXPECT_NEAR(of.dhr, dhr, 0.05 * dhr);
     EXPECT_LE(of.low, grey.sigma_bulk);
@@ -128,7 +131,8 @@ TEST_F(FitNoise, IntervalsCoverTheTruthOverSeeds) {
   for (unsigned seed = 1; seed <= seeds; ++seed) {
     FitOptions options = with_noise("estimated", 4);
     // What these data cannot tell; held, so that the others have intervals that are no bounds.
-    for (const char* known : {"n_eff=1.2", "k_eff=0.2", "rho_bulk=1", "rho_retro=1"}) fix_parameter(options.choices, known);
+    for (const char* known : {"n_eff=1.2", "k_eff=0.2", "rho_bulk=1", "rho_retro=1"})
+      fix_parameter(options.choices, known);
     const Found of = found(noisy(black, {0.02, 1e-3}, 15, 4, seed), options);
     covered += of.low <= black.sigma_bulk && black.sigma_bulk <= of.high;
     mean += of.sigma_bulk / seeds;
@@ -185,7 +189,8 @@ TEST(NoiseModel, IsReadAndRefused) {
   EXPECT_EQ(noise_choice(" 0.02 , 1e-3").floor, 1e-3);
   EXPECT_FALSE(noise_choice("estimated").relative);
   EXPECT_FALSE(noise_choice("2%,estimated").floor);
-  for (const char* text : {"", "2%", "2%,0", "2%,-1", "x,1e-3", "2%,nan", "200%,1e-3", "2%,1e-3,4", "-1%,1e-3", "estimate"})
+  for (const char* text :
+       {"", "2%", "2%,0", "2%,-1", "x,1e-3", "2%,nan", "200%,1e-3", "2%,1e-3,4", "-1%,1e-3", "estimate"})
     EXPECT_THROW(noise_choice(text), BadInput) << text;
 }
 

@@ -17,7 +17,8 @@ namespace brdftab {
 namespace {
 
 // As `evaluate` writes it: columns brdf_s, brdf_p and brdf of brown vinyl, without noise.
-const std::filesystem::path polarised_data = std::filesystem::path(BRDFTAB_TESTS_DIR) / "data" / "polarised" / "sp.csv";
+const std::filesystem::path polarised_data =
+    std::filesystem::path(BRDFTAB_TESTS_DIR) / "data" / "polarised" / "sp.csv";
 
 constexpr Parameters paint{1.5, 0.3, 0.8, 0.25, 0.3, 1.2, 0.1, 0.3, 0.3, 0.3, 2, 1, 1, 4};
 
@@ -30,9 +31,12 @@ void add_polarised(Measurement& measurement, const Parameters& truth, std::size_
     for (double theta_s = -80; theta_s <= 80; theta_s += 5) {
       const DirectionPair pair{theta_i, theta_s, 0, measurement.samples.size() + 1};
       const auto f = model.brdf(theta_i, pair.model_theta_s(), pair.model_phi());
-      for (const auto& [light, value] : {std::pair{Polarization::s, f.s.total()}, {Polarization::p, f.p.total()}})
-        measurement.samples.push_back(
-            {.pair = pair, .brdf = value * std::exp(noise * normal(random)), .channel = channel, .share_s = share_s(light)});
+      for (const auto& [light, value] :
+           {std::pair{Polarization::s, f.s.total()}, {Polarization::p, f.p.total()}})
+        measurement.samples.push_back({.pair = pair,
+                                       .brdf = value * std::exp(noise * normal(random)),
+                                       .channel = channel,
+                                       .share_s = share_s(light)});
     }
 }
 
@@ -70,12 +74,13 @@ TEST(MeasuredLight, RefusesAColumnThatIsNotThereAndNamesThoseThatAre) {
   EXPECT_EQ(refusal("brdf_s_per_sr,brdf_p_per_sr", "all"), "accepted");
   EXPECT_EQ(refusal("brdf_s,brdf_p", "unpolarized"), "accepted");
   EXPECT_EQ(refusal("brdf_per_sr", "unpolarized"), "accepted");
-  for (const auto& [columns, light, missing, there] : {std::array{"brdf_s", "p", "brdf_p", "brdf_s (s-polarised)"},
-                                                       {"brdf_s", "unpolarized", "brdf ", "brdf_s (s-polarised)"},
-                                                       {"brdf_s", "all", "brdf_p", "brdf_s (s-polarised)"},
-                                                       {"brdf_p,brdf", "s", "brdf_s", "brdf (unpolarised), brdf_p (p-polarised)"},
-                                                       {"brdf_per_sr", "s", "brdf_s", "brdf (unpolarised)"},
-                                                       {"brdf_per_sr", "all", "brdf_s", "brdf (unpolarised)"}}) {
+  for (const auto& [columns, light, missing, there] :
+       {std::array{"brdf_s", "p", "brdf_p", "brdf_s (s-polarised)"},
+        {"brdf_s", "unpolarized", "brdf ", "brdf_s (s-polarised)"},
+        {"brdf_s", "all", "brdf_p", "brdf_s (s-polarised)"},
+        {"brdf_p,brdf", "s", "brdf_s", "brdf (unpolarised), brdf_p (p-polarised)"},
+        {"brdf_per_sr", "s", "brdf_s", "brdf (unpolarised)"},
+        {"brdf_per_sr", "all", "brdf_s", "brdf (unpolarised)"}}) {
     const std::string message = refusal(columns, light);
     EXPECT_NE(message.find(std::string("data.csv: has no column ") + missing), std::string::npos) << message;
     EXPECT_NE(message.find(there), std::string::npos) << message;
@@ -85,7 +90,8 @@ TEST(MeasuredLight, RefusesAColumnThatIsNotThereAndNamesThoseThatAre) {
 
 TEST(MeasuredLight, UnpolarisedIsTheMeanOfSAndPWhereOnlyTheyAreThere) {
   std::istringstream in(
-      "theta_i_deg,theta_s_deg,phi_deg,brdf_s,brdf_p,sigma_s,sigma_p\n10,20,0,0.1,0.2,0.03,0.04\n10,21,0,nan,0.2,0.03,0.04\n");
+      "theta_i_deg,theta_s_deg,phi_deg,brdf_s,brdf_p,sigma_s,sigma_p\n10,20,0,0.1,0.2,0.03,0.04\n10,21,0,nan,"
+      "0.2,0.03,0.04\n");
   Measurement measurement = read_csv_measurement(in, "data.csv");
   ASSERT_EQ(measurement.samples.size(), 4u);
   choose_light(measurement, light_named("unpolarized"), true);
@@ -98,10 +104,13 @@ TEST(MeasuredLight, UnpolarisedIsTheMeanOfSAndPWhereOnlyTheyAreThere) {
 }
 
 TEST_F(FitPolarization, EveryLightGivesTheMaterialBack) {
-  const Parameters truth =
-      Material::read(std::filesystem::path(BRDFTAB_MATERIALS_DIR) / "brown-vinyl.toml").bands().front().parameters;
+  const Parameters truth = Material::read(std::filesystem::path(BRDFTAB_MATERIALS_DIR) / "brown-vinyl.toml")
+                               .bands()
+                               .front()
+                               .parameters;
   for (const char* light : {"s", "p", "unpolarized", "all"}) {
-    const Measurement measurement = read_measurement(polarised_data, {.format = "", .light = light_named(light)});
+    const Measurement measurement =
+        read_measurement(polarised_data, {.format = "", .light = light_named(light)});
     FitProblem problem(engine(), measurement, options(16));
     EXPECT_EQ(problem.samples(), light == std::string("all") ? 656u : 328u);
     const Fit best = fit(problem);

@@ -1,4 +1,5 @@
-// Fits to measurements made by the scalar reference: what is found again, what is told of it, what is refused.
+// Fits to measurements made by the scalar reference: what is found again, what is told of it, what is
+// refused.
 #include "host/fit/fit.hpp"
 
 #include <gtest/gtest.h>
@@ -60,7 +61,8 @@ TEST_F(FitTest, ResidualsAndTheirDerivativesAgreeWithAnyLossAndWeights) {
       const auto up = problem.residuals(plus).values;
       const auto down = problem.residuals(minus).values;
       for (std::size_t k = 0; k < up.size(); ++k)
-        EXPECT_NEAR(at.jacobian[k * u.size() + v], (up[k] - down[k]) / (2 * h), weights == FitWeights::sigma ? 2e-5 : 2e-6)
+        EXPECT_NEAR(at.jacobian[k * u.size() + v], (up[k] - down[k]) / (2 * h),
+                    weights == FitWeights::sigma ? 2e-5 : 2e-6)
             << problem.variables()[v].row().name;
     }
   }
@@ -98,7 +100,8 @@ TEST_F(FitTest, IntervalsCoverTheTruthAndFlagWhatDataCannotTell) {
   }
   EXPECT_GE(covered, 11);
   const auto named = [&](std::string_view name) {
-    return *std::find_if(summary.variables.begin(), summary.variables.end(), [&](const auto& v) { return v.name == name; });
+    return *std::find_if(summary.variables.begin(), summary.variables.end(),
+                         [&](const auto& v) { return v.name == name; });
   };
   EXPECT_TRUE(named("gamma").poorly_known());
   EXPECT_FALSE(named("sigma_surface").unidentifiable());
@@ -125,8 +128,10 @@ TEST_F(FitTest, AProfileIsWiderThanItsStandardErrorWhereTheModelCurves) {
     EXPECT_GE(profile[v].high, value);
     // Alike where the parameter is known well.
     if (straight[v].high < 1.2 * straight[v].low) {
-      EXPECT_NEAR(profile[v].low, straight[v].low, 0.3 * (value - straight[v].low)) << problem.variables()[v].row().name;
-      EXPECT_NEAR(profile[v].high, straight[v].high, 0.3 * (straight[v].high - value)) << problem.variables()[v].row().name;
+      EXPECT_NEAR(profile[v].low, straight[v].low, 0.3 * (value - straight[v].low))
+          << problem.variables()[v].row().name;
+      EXPECT_NEAR(profile[v].high, straight[v].high, 0.3 * (straight[v].high - value))
+          << problem.variables()[v].row().name;
     }
   }
 }
@@ -143,7 +148,8 @@ TEST_F(FitTest, CauchyLossHardlyMovesWithOutliers) {
     problem.loss_scale = std::numeric_limits<double>::infinity();
     auto values = problem.residuals(found.best.u).values;
     for (double& value : values) value = std::abs(value);
-    std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
+    std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
+                     values.end());
     return values[values.size() / 2];
   };
   EXPECT_LT(3 * median_error(with), median_error(without));
@@ -178,7 +184,7 @@ TEST_F(FitTest, RefusesTooFewSamples) {
   choice.weights = FitWeights::sigma;
   EXPECT_THROW(FitProblem(engine(), measurement, choice), BadInput);
   choice = options();
-  choice.switches.autocovariance = Autocovariance::gaussian;
+  choice.variant.autocovariance = Autocovariance::gaussian;
   EXPECT_THROW(FitProblem(engine(), measurement, choice), BadInput);
 }
 
@@ -196,7 +202,8 @@ TEST(FitVariable, MapsAndBounds) {
   auto choices = default_choices();
   for (const char* text : {"k_eff", "k_ef=0", "k_eff=x", "k_eff=-1", "k_eff=21"})
     EXPECT_THROW(fix_parameter(choices, text), BadInput);
-  for (const char* text : {"w=1", "w=2:1", "w=0:1", "w=1:x"}) EXPECT_THROW(bound_parameter(choices, text), BadInput);
+  for (const char* text : {"w=1", "w=2:1", "w=0:1", "w=1:x"})
+    EXPECT_THROW(bound_parameter(choices, text), BadInput);
 }
 
 }  // namespace

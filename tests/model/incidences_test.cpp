@@ -37,7 +37,8 @@ TEST(Incidences, AWidthOfNothingTellsAllNumbersApart) {
   EXPECT_EQ(Incidences({}, 0.25).size(), 0u);
 }
 
-// Each group stays within the width, however dense the scan; a step as wide as the width tells settings apart.
+// Each group stays within the width, however dense the scan; a step as wide as the width tells settings
+// apart.
 TEST(Incidences, AScanInFineStepsIsNoChain) {
   std::vector<double> fine, quarters;
   for (int k = 0; k < 320; ++k) fine.push_back(0.1 * k), quarters.push_back(20 + 0.25 * k);

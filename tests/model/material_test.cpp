@@ -14,8 +14,10 @@ namespace {
 
 const std::string head = "name = \"m\"\n";
 const std::string parameters =
-    "[parameters]\nn_eff = 1.24\nk_eff = 0\nsigma_surface = 1.9\nrho_surface = 0.45\nsigma_bulk = 0.073\nrho_bulk = 0.88\n"
-    "sigma_retro = 0.061\nrho_retro = 1.9\nw_a = 0.21\nw_b = 0.12\ngamma = 0.9\ndelta = 0.0\nw = 2.0\nn = 0.0\n";
+    "[parameters]\nn_eff = 1.24\nk_eff = 0\nsigma_surface = 1.9\nrho_surface = 0.45\nsigma_bulk = "
+    "0.073\nrho_bulk = 0.88\n"
+    "sigma_retro = 0.061\nrho_retro = 1.9\nw_a = 0.21\nw_b = 0.12\ngamma = 0.9\ndelta = 0.0\nw = 2.0\nn = "
+    "0.0\n";
 
 std::string with(std::string text, const std::string& from, const std::string& to) {
   const auto at = text.find(from);
@@ -33,21 +35,21 @@ std::string refusal(const std::string& text) {
 }
 
 TEST(Material, ReadsParametersBandsSwitchesAndGrid) {
-  const auto m =
-      Material::parse(head + "license = \"CC0\"\n" + parameters +
-                          "[model]\nnormalization = \"reciprocal\"\nforeshortening = false\n"
-                          "[[band]]\nwavelength_nm = 450\nn_eff = 1.25\n[[band]]\nwavelength_nm = 650.5\nsigma_bulk = 0.21\n"
-                          "[grid]\ntheta_i = \"0:80:10\"\nphi_i = [0, 90]\n",
-                      "m.toml");
+  const auto m = Material::parse(
+      head + "license = \"CC0\"\n" + parameters +
+          "[model]\nnormalization = \"reciprocal\"\nforeshortening = false\n"
+          "[[band]]\nwavelength_nm = 450\nn_eff = 1.25\n[[band]]\nwavelength_nm = 650.5\nsigma_bulk = 0.21\n"
+          "[grid]\ntheta_i = \"0:80:10\"\nphi_i = [0, 90]\n",
+      "m.toml");
   EXPECT_EQ(m.name(), "m");
   ASSERT_EQ(m.bands().size(), 2u);
   EXPECT_EQ(*m.bands()[0].wavelength_nm, 450);
   EXPECT_EQ(m.bands()[0].parameters.n_eff, 1.25);
   EXPECT_EQ(m.bands()[1].parameters.n_eff, 1.24);
   EXPECT_EQ(m.bands()[1].parameters.sigma_bulk, 0.21);
-  EXPECT_EQ(m.switches().normalization, Normalization::reciprocal);
-  EXPECT_FALSE(m.switches().foreshortening);
-  EXPECT_TRUE(m.switches().width_shadowing);
+  EXPECT_EQ(m.variant().normalization, Normalization::reciprocal);
+  EXPECT_FALSE(m.variant().foreshortening);
+  EXPECT_TRUE(m.variant().width_shadowing);
   EXPECT_EQ(m.grid().theta_i.size(), 9u);
   EXPECT_EQ(m.grid().phi_i[1], 90);
   EXPECT_EQ(m.grid().phi_s.size(), 181u);
@@ -67,7 +69,8 @@ TEST(Material, EveryFaultGivesOneLineWithItsPlace) {
       {with(good, "w_a = 0.21\n", ""), "parameters.w_a is missing"},
       {parameters, "name is missing"},
       {head, "[parameters] is missing"},
-      {with(good, "k_eff = 0", "k_eff = \"zero\""), "m.toml:4:9: parameters.k_eff = \"zero\": must be a number"},
+      {with(good, "k_eff = 0", "k_eff = \"zero\""),
+       "m.toml:4:9: parameters.k_eff = \"zero\": must be a number"},
       {with(good, "\"m\"", "3"), "m.toml:1:8: name = 3: must be a string"},
       {with(good, "n_eff = 1.24", "n_eff = 21"), "m.toml:3:9: parameters.n_eff = 21: must lie in 0.05 to 20"},
       {with(good, "n_eff = 1.24", "n_eff = 0.049"), "must lie in 0.05 to 20"},
@@ -78,16 +81,19 @@ TEST(Material, EveryFaultGivesOneLineWithItsPlace) {
       {"", "empty"},
       {" \n\t\n", "empty"},
       {std::string("name = \"m\"\n\0\1", 12), "m.toml:2:1: byte 0x00"},
-      {good + "[model]\nnormalization = \"none\"\n", "one of the strings hemispherical, reciprocal, closed-form"},
+      {good + "[model]\nnormalization = \"none\"\n",
+       "one of the strings hemispherical, reciprocal, closed-form"},
       {good + "[model]\nforeshortening = \"true\"\n", "must be true, false"},
       {good + "[model]\nnormalization = \"closed-form\"\nautocovariance = \"gaussian\"\n", "Eq. (8)"},
       {good + "[modle]\n", "unknown key; did you mean model?"},
       {good + "[[band]]\nn_eff = 1.2\n", "band.wavelength_nm is missing"},
       {good + "[[band]]\nwavelength_nm = -5\n", "band.wavelength_nm = -5: must be in nm, above 0"},
       {good + "[[band]]\nwavelength_nm = 500\n[[band]]\nwavelength_nm = 500\n", "above the band before it"},
-      {good + "[[band]]\nwavelength_nm = 500\nrho_bulk = 1000\n", "band.rho_bulk = 1000: must lie in 0.0001 to 100"},
+      {good + "[[band]]\nwavelength_nm = 500\nrho_bulk = 1000\n",
+       "band.rho_bulk = 1000: must lie in 0.0001 to 100"},
       {good + "[band]\nwavelength_nm = 500\n", "each headed [[band]]"},
-      {good + "[grid]\ntheta_i = \"0:90:5\"\n", "m.toml:18:11: grid.theta_i = \"0:90:5\": theta_i must lie in"},
+      {good + "[grid]\ntheta_i = \"0:90:5\"\n",
+       "m.toml:18:11: grid.theta_i = \"0:90:5\": theta_i must lie in"},
       {good + "[grid]\ntheta_s = [0, 10, 5]\n", "5 follows 10"},
       {good + "[grid]\ntheta_s = [0, \"x\"]\n", "grid.theta_s = \"x\": must be a number"},
       {good + "[grid]\nphi = [0]\n", "unknown key"},

@@ -32,7 +32,9 @@ std::string refusal(const std::string& text) {
   return "accepted";
 }
 
-std::string joined(const std::vector<std::string>& lines) { return fmt::format("{}", fmt::join(lines, "\n")); }
+std::string joined(const std::vector<std::string>& lines) {
+  return fmt::format("{}", fmt::join(lines, "\n"));
+}
 
 TEST(Measurement, RefusesWhatIsNoMeasurement) {
   EXPECT_NE(refusal("").find("data.csv:1: is empty"), std::string::npos) << refusal("");
@@ -43,20 +45,23 @@ TEST(Measurement, RefusesWhatIsNoMeasurement) {
   EXPECT_NE(refusal(header + "90,20,0,0.1,a\n").find("theta_i_deg = 90"), std::string::npos);
   EXPECT_NE(refusal(header + "10,-90,0,0.1,a\n").find("theta_s_deg = -90"), std::string::npos);
   EXPECT_NE(refusal(header + "10,20,0,0,a\n").find("no sample has f above 0"), std::string::npos);
-  EXPECT_NE(refusal("theta_i_deg,theta_s_deg,phi_deg,brdf_per_sr,sigma\n10,20,0,0.1,0\n").find("sigma = 0"), std::string::npos);
+  EXPECT_NE(refusal("theta_i_deg,theta_s_deg,phi_deg,brdf_per_sr,sigma\n10,20,0,0.1,0\n").find("sigma = 0"),
+            std::string::npos);
 }
 
 TEST(Measurement, CountsWhatItSetsAside) {
-  const Measurement m = read(header +
-                             "10,20,0,0.1,a\n10,21,0,nan,a\n10,22,0,0,a\n10,23,0,-0.1,a\n10,24,0,-0.2,a\n10,20,0,0.1,a\n"
-                             "10,20,0,0.2,a\n10,20,0,0.1,b\n");
+  const Measurement m =
+      read(header +
+           "10,20,0,0.1,a\n10,21,0,nan,a\n10,22,0,0,a\n10,23,0,-0.1,a\n10,24,0,-0.2,a\n10,20,0,0.1,a\n"
+           "10,20,0,0.2,a\n10,20,0,0.1,b\n");
   EXPECT_EQ(m.samples.size(), 7u);  // readings of 0 and below are kept
   EXPECT_EQ(m.channels, (std::vector<std::string>{"a", "b"}));
   ASSERT_EQ(m.warnings.size(), 5u) << joined(m.warnings);
   EXPECT_NE(m.warnings[0].find("1 of 8 samples are nan"), std::string::npos);
   EXPECT_NE(m.warnings[1].find("1 of 8 samples are zero"), std::string::npos);
   EXPECT_NE(m.warnings[2].find("2 of 8 samples are negative"), std::string::npos);
-  EXPECT_NE(m.warnings[3].find("2 samples have the directions of an earlier one, 1 of them its value too"), std::string::npos);
+  EXPECT_NE(m.warnings[3].find("2 samples have the directions of an earlier one, 1 of them its value too"),
+            std::string::npos);
 }
 
 // A broad lobe about the mirror direction on a diffuse base, in plane.
@@ -64,8 +69,8 @@ std::string scan(double level, double peak, double sign) {
   std::string text = header;
   for (const double theta_i : {20, 60})
     for (double theta_s = -75; theta_s <= 75; theta_s += 5)
-      text +=
-          fmt::format("{},{},0,{},a\n", theta_i, theta_s, level + peak * std::exp(-std::pow((sign * theta_s - theta_i) / 10, 2)));
+      text += fmt::format("{},{},0,{},a\n", theta_i, theta_s,
+                          level + peak * std::exp(-std::pow((sign * theta_s - theta_i) / 10, 2)));
   return text;
 }
 
@@ -100,7 +105,8 @@ TEST(Measurement, ReadsMeasuredFilesWithoutSuspicion) {
     if (file.path().extension() != ".csv") continue;
     const Measurement m = read_measurement(file.path());
     EXPECT_GT(m.samples.size(), 100u);
-    for (const auto& warning : m.warnings) EXPECT_EQ(warning.find("--"), std::string::npos) << file.path() << ": " << warning;
+    for (const auto& warning : m.warnings)
+      EXPECT_EQ(warning.find("--"), std::string::npos) << file.path() << ": " << warning;
   }
 }
 

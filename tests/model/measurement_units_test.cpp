@@ -1,5 +1,5 @@
-// Files whose numbers are in other units than their layout's are told, with the option that mends them; mended, they equal
-// the right file. Right files are not doubted.
+// Files whose numbers are in other units than their layout's are told, with the option that mends them;
+// mended, they equal the right file. Right files are not doubted.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,8 +8,8 @@
 #include <numbers>
 
 #include "host/base/error.hpp"
-#include "host/model/measurement/measurement.hpp"
 #include "host/base/numbers.hpp"
+#include "host/model/measurement/measurement.hpp"
 #include "tests/measured_files.hpp"
 
 namespace brdftab {
@@ -18,8 +18,9 @@ namespace {
 class Units : public testing::Test {
  protected:
   Measurement read(const std::string& format, const std::string& text, MeasurementOptions options = {}) {
-    const auto file = std::filesystem::path(testing::TempDir()) /
-                      fmt::format("{}-{}", testing::UnitTest::GetInstance()->current_test_info()->name(), format);
+    const auto file =
+        std::filesystem::path(testing::TempDir()) /
+        fmt::format("{}-{}", testing::UnitTest::GetInstance()->current_test_info()->name(), format);
     std::ofstream(file, std::ios::binary) << text;
     options.format = format;
     const Measurement measurement = read_measurement(file, options);
@@ -33,11 +34,12 @@ class Units : public testing::Test {
     return text;
   }
   // Told in the wrong file, right in the right one, and equal once mended.
-  void expect_mended(const std::string& format, const std::string& wrong, const std::string& right, const std::string& option,
-                     const MeasurementOptions& options) {
+  void expect_mended(const std::string& format, const std::string& wrong, const std::string& right,
+                     const std::string& option, const MeasurementOptions& options) {
     const Measurement as_it_is = read(format, right);
     EXPECT_EQ(doubts(as_it_is), "") << format;
-    EXPECT_NE(doubts(read(format, wrong)).find(option), std::string::npos) << format << ": " << doubts(read(format, wrong));
+    EXPECT_NE(doubts(read(format, wrong)).find(option), std::string::npos)
+        << format << ": " << doubts(read(format, wrong));
     expect_equal(read(format, wrong, options), as_it_is);
   }
   void expect_equal(const Measurement& mended, const Measurement& as_it_is) {
@@ -60,11 +62,14 @@ MeasurementOptions with_values(ValueKind kind) { return {.values = kind}; }
 
 TEST_F(Units, AnglesInRadiansAreToldAndMended) {
   const auto rows = in_plane({});
-  expect_mended("csv", csv(rows, as_is, radian, radian), csv(rows), "--angles radians", with_angles("radians"));
+  expect_mended("csv", csv(rows, as_is, radian, radian), csv(rows), "--angles radians",
+                with_angles("radians"));
   const auto wide = in_plane({}, 37.5, 20);
-  expect_mended("csv", csv(wide, as_is, radian, radian), csv(wide), "--angles radians", with_angles("radians"));
+  expect_mended("csv", csv(wide, as_is, radian, radian), csv(wide), "--angles radians",
+                with_angles("radians"));
   expect_mended("zemax", zemax({}, as_is, radian), zemax({}), "--angles radians", with_angles("radians"));
-  expect_mended("csv", csv(rows, as_is, 1, radian), csv(rows), "--angles azimuth-radians", with_angles("azimuth-radians"));
+  expect_mended("csv", csv(rows, as_is, 1, radian), csv(rows), "--angles azimuth-radians",
+                with_angles("azimuth-radians"));
 }
 
 TEST_F(Units, AnglesInDegreesWhereTheLayoutHasRadiansNameTheOption) {
@@ -84,7 +89,8 @@ TEST_F(Units, AnglesInDegreesWhereTheLayoutHasRadiansNameTheOption) {
 
 TEST_F(Units, AFineScanAboutOneDirectionIsInDegrees) {
   std::string text = "theta_i_deg,theta_s_deg,phi_deg,brdf_per_sr\n";
-  for (double s = -1.5; s <= 1.5; s += 0.05) text += fmt::format("1,{:.2f},0,{}\n", s, 1 / (1e-4 + std::pow(s - 1, 2)));
+  for (double s = -1.5; s <= 1.5; s += 0.05)
+    text += fmt::format("1,{:.2f},0,{}\n", s, 1 / (1e-4 + std::pow(s - 1, 2)));
   EXPECT_EQ(doubts(read("csv", text)), "");
 }
 
@@ -104,9 +110,11 @@ TEST_F(Units, ReflectanceFactorsAreToldAndMended) {
   expect_mended("alta", alta(rows, pi_f), alta(rows), "--values pi-f", with_values(ValueKind::pi_f));
   expect_mended("csv", csv(dark, percent), csv(dark), "--values percent", with_values(ValueKind::percent));
   expect_mended("astm", astm(rows, percent), astm(rows), "--values percent", with_values(ValueKind::percent));
-  expect_mended("zemax", zemax(white, percent), zemax(white), "--values percent", with_values(ValueKind::percent));
+  expect_mended("zemax", zemax(white, percent), zemax(white), "--values percent",
+                with_values(ValueKind::percent));
   expect_mended("zemax", zemax(white, pi_f), zemax(white), "--values pi-f", with_values(ValueKind::pi_f));
-  EXPECT_NE(doubts(read("csv", csv(rows, [](double f, double) { return 100 * f; }))).find("--scale 0.01"), std::string::npos);
+  EXPECT_NE(doubts(read("csv", csv(rows, [](double f, double) { return 100 * f; }))).find("--scale 0.01"),
+            std::string::npos);
 }
 
 TEST_F(Units, FewSamplesAtEachIncidenceTellPercentToo) {
@@ -114,12 +122,16 @@ TEST_F(Units, FewSamplesAtEachIncidenceTellPercentToo) {
   for (const double theta_s : {0., 45.}) {
     const auto rows = one_view(white, theta_s);
     const std::string factor = csv(rows, [](double f, double) { return 100 * std::numbers::pi * f; });
-    EXPECT_NE(doubts(read("csv", factor)).find("--values percent"), std::string::npos) << doubts(read("csv", factor));
-    const Measurement mended = read("csv", factor, with_values(ValueKind::percent)), right = read("csv", csv(rows));
+    EXPECT_NE(doubts(read("csv", factor)).find("--values percent"), std::string::npos)
+        << doubts(read("csv", factor));
+    const Measurement mended = read("csv", factor, with_values(ValueKind::percent)),
+                      right = read("csv", csv(rows));
     ASSERT_EQ(mended.samples.size(), right.samples.size());
-    for (std::size_t k = 0; k < right.samples.size(); ++k) EXPECT_NEAR(mended.samples[k].brdf / right.samples[k].brdf, 1, 1e-12);
+    for (std::size_t k = 0; k < right.samples.size(); ++k)
+      EXPECT_NEAR(mended.samples[k].brdf / right.samples[k].brdf, 1, 1e-12);
     // What one view cannot tell is said of the right file, and nothing else.
-    EXPECT_NE(doubts(right).find("incidences have one direction of view only"), std::string::npos) << doubts(right);
+    EXPECT_NE(doubts(right).find("incidences have one direction of view only"), std::string::npos)
+        << doubts(right);
     EXPECT_EQ(right.warnings.size(), 1u);
   }
 }
@@ -150,7 +162,8 @@ TEST_F(Units, NoiseAboutZeroIsNoLogarithm) {
   for (int i = 0; i <= 60; i += 15)
     for (int s = -80; s <= 80; s += 2) {
       state = state * 1664525u + 1013904223u;
-      text += fmt::format("{},{},0,{}\n", i, s, 0.1 * std::exp(-std::pow((s - i) / 8., 2)) + (state / 4294967296. - 0.55));
+      text += fmt::format("{},{},0,{}\n", i, s,
+                          0.1 * std::exp(-std::pow((s - i) / 8., 2)) + (state / 4294967296. - 0.55));
     }
   EXPECT_EQ(doubts(read("csv", text)).find("--values"), std::string::npos) << doubts(read("csv", text));
 }
@@ -160,12 +173,14 @@ TEST_F(Units, UncertaintiesFollowTheValues) {
   for (int s = -60; s <= 60; s += 5) text += fmt::format("10,{},0,{},0.01\n", s, -1 - 0.01 * std::abs(s));
   const double step = 1e-6;
   for (const ValueKindRow& row : value_kind_table) {
-    if (row.kind == ValueKind::brdf || row.kind == ValueKind::pi_f || row.kind == ValueKind::percent) continue;
+    if (row.kind == ValueKind::brdf || row.kind == ValueKind::pi_f || row.kind == ValueKind::percent)
+      continue;
     if (row.kind == ValueKind::cosine_weighted) continue;
     const Measurement m = read("csv", text, {.values = row.kind, .scale = 2});
     for (const auto& [pair, brdf, sigma, channel, share_s] : m.samples) {
       const double value = -1 - 0.01 * pair.model_theta_s();
-      const double slope = 2 * (brdf_of(row.kind, value + step, 0) - brdf_of(row.kind, value - step, 0)) / (2 * step);
+      const double slope =
+          2 * (brdf_of(row.kind, value + step, 0) - brdf_of(row.kind, value - step, 0)) / (2 * step);
       EXPECT_NEAR(sigma / (0.01 * slope), 1, 1e-8) << row.name;
       EXPECT_NEAR(brdf / (2 * brdf_of(row.kind, value, 0)), 1, 1e-12) << row.name;
     }
@@ -177,8 +192,8 @@ TEST_F(Units, CosineWeightedValuesAreToldAndMended) {
   const Surface glossy{0.2, 2, 0.1};
   expect_mended("csv", csv(in_plane({}), weighted), csv(in_plane({})), "--values cosine-weighted",
                 with_values(ValueKind::cosine_weighted));
-  expect_mended("astm", astm(in_plane(glossy, 25, 4), weighted), astm(in_plane(glossy, 25, 4)), "--values cosine-weighted",
-                with_values(ValueKind::cosine_weighted));
+  expect_mended("astm", astm(in_plane(glossy, 25, 4), weighted), astm(in_plane(glossy, 25, 4)),
+                "--values cosine-weighted", with_values(ValueKind::cosine_weighted));
   expect_mended("zemax", zemax(glossy, weighted), zemax(glossy), "--values cosine-weighted",
                 with_values(ValueKind::cosine_weighted));
 }
@@ -203,7 +218,8 @@ TEST_F(Units, ColumnsOfWavelengthsSayTheirUnit) {
   const auto text = [](const char* column, const char* first, const char* second, const char* third) {
     std::string result = fmt::format("theta_i_deg,theta_s_deg,phi_deg,brdf_per_sr,{}\n", column);
     for (int s = -60; s <= 60; s += 5)
-      result += fmt::format("10,{0},0,0.1,{1}\n10,{0},0,0.2,{2}\n30,{0},0,0.1,{3}\n", s, first, second, third);
+      result +=
+          fmt::format("10,{0},0,0.1,{1}\n10,{0},0,0.2,{2}\n30,{0},0,0.1,{3}\n", s, first, second, third);
     return result;
   };
   const Measurement nm = read("csv", text("wavelength_nm", "450", "550", "450"));
@@ -215,7 +231,8 @@ TEST_F(Units, ColumnsOfWavelengthsSayTheirUnit) {
   // One channel, whatever its text.
   for (const char* other : {"450.0", "4.5e2", "450nm", "450 nm", "0.45um"})
     expect_equal(read("csv", text("wavelength_nm", "450", "550", other)), nm);
-  EXPECT_EQ(read("csv", text("channel", "450", "R", "450.0")).channels, (std::vector<std::string>{"450", "R"}));
+  EXPECT_EQ(read("csv", text("channel", "450", "R", "450.0")).channels,
+            (std::vector<std::string>{"450", "R"}));
   EXPECT_EQ(nm.find_channel("450.00"), 0u);
   EXPECT_EQ(nm.find_channel("0.55um"), 1u);
   EXPECT_EQ(nm.find_channel("551"), std::nullopt);
@@ -223,11 +240,14 @@ TEST_F(Units, ColumnsOfWavelengthsSayTheirUnit) {
 
 TEST_F(Units, RowsThatDoNotMatchNumPointsAreTold) {
   const auto rows = in_plane({});
-  const auto warnings = [&](std::size_t said) { return read("astm", astm(rows, as_is, radian, "550nm", said)).warnings; };
+  const auto warnings = [&](std::size_t said) {
+    return read("astm", astm(rows, as_is, radian, "550nm", said)).warnings;
+  };
   EXPECT_TRUE(warnings(rows.size()).empty());
   for (const std::size_t said : {rows.size() + 128, rows.size() - 1}) {
     ASSERT_EQ(warnings(said).size(), 1u);
-    EXPECT_NE(warnings(said)[0].find(fmt::format("has {} rows where NUM_POINTS says {}", rows.size(), said)), std::string::npos);
+    EXPECT_NE(warnings(said)[0].find(fmt::format("has {} rows where NUM_POINTS says {}", rows.size(), said)),
+              std::string::npos);
   }
 }
 

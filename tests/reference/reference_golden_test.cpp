@@ -26,8 +26,8 @@ namespace fs = std::filesystem;
 // 60-digit evaluation, and the reference 1e-16.
 constexpr double brdf_tolerance = 2e-11;
 constexpr double normalization_tolerance = 1e-11;
-// The reflectances of random-4 are up to 2.4e-9 off in the golden values, at 89.5°. At 35° they are 2.8e-10 off, and an integral of
-// 240 000 nodes in azimuth gives the reference's digits.
+// The reflectances of random-4 are up to 2.4e-9 off in the golden values, at 89.5°. At 35° they are 2.8e-10
+// off, and an integral of 240 000 nodes in azimuth gives the reference's digits.
 constexpr double dhr_tolerance = 3e-9;
 // Without k_eff, √R_p has a kink at Brewster's angle, which the golden quadrature does not
 // resolve: its brown vinyl is up to 8e-8 off, refined integrals agree with the reference.
@@ -64,7 +64,8 @@ std::vector<Row> read_rows(const fs::path& path) {
     std::stringstream cells(line);
     Row row;
     std::getline(cells, row.material, ',');
-    for (std::string cell; std::getline(cells, cell, ',');) row.numbers.push_back(std::strtod(cell.c_str(), nullptr));
+    for (std::string cell; std::getline(cells, cell, ',');)
+      row.numbers.push_back(std::strtod(cell.c_str(), nullptr));
     rows.push_back(row);
   }
   return rows;
@@ -114,8 +115,9 @@ TEST_F(ReferenceGolden, Brdf) {
       worst = difference;
       where = {};
       where.precision(15);
-      where << row.material << ' ' << columns[k] << " at theta_i " << row.numbers[0] << " theta_s " << row.numbers[1] << " phi "
-            << row.numbers[2] << ": " << values[k] << ", golden " << row.numbers[3 + k];
+      where << row.material << ' ' << columns[k] << " at theta_i " << row.numbers[0] << " theta_s "
+            << row.numbers[1] << " phi " << row.numbers[2] << ": " << values[k] << ", golden "
+            << row.numbers[3 + k];
     }
   }
   EXPECT_LT(worst, brdf_tolerance) << where.str();
@@ -135,9 +137,10 @@ TEST_F(ReferenceGolden, Integrals) {
       EXPECT_LT(relative_difference(n, row.numbers[1 + k]), normalization_tolerance)
           << row.material << ' ' << lobe_names[k] << " N at theta_i " << theta_i << ": " << n << ", golden "
           << row.numbers[1 + k];
-      EXPECT_LT(relative_difference(parts[k].value, row.numbers[4 + k]), kink ? dhr_tolerance_over_a_kink : dhr_tolerance)
-          << row.material << ' ' << lobe_names[k] << " DHR at theta_i " << theta_i << ": " << parts[k].value << ", golden "
-          << row.numbers[4 + k];
+      EXPECT_LT(relative_difference(parts[k].value, row.numbers[4 + k]),
+                kink ? dhr_tolerance_over_a_kink : dhr_tolerance)
+          << row.material << ' ' << lobe_names[k] << " DHR at theta_i " << theta_i << ": " << parts[k].value
+          << ", golden " << row.numbers[4 + k];
     }
   }
 }

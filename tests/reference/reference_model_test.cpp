@@ -1,7 +1,7 @@
 // Rung 0, the composed model: symmetries, limits and hemispherical integrals of f.
+#include <boost/math/quadrature/gauss.hpp>
 #include <gtest/gtest.h>
 
-#include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -50,11 +50,15 @@ TEST(ReferenceModel, IsEquation14) {
   const Real g = mean_reflectance({p.n_eff, p.k_eff}, in, out).s;
   const auto n = [&](Lobe lobe) { return model.normalization(lobe, i).value; };
   const Brdf f = model.brdf(i, s, phi);
-  EXPECT_NEAR(f.s.surface / double(p.sigma_surface * g * v_m * n(Lobe::surface) / denominator(alpha_0, p.rho_surface)), 1,
-              rounding);
-  EXPECT_NEAR(f.s.bulk / double(p.sigma_bulk * (1 - g) * v_m * n(Lobe::bulk) / denominator(alpha_0, p.rho_bulk)), 1, rounding);
-  EXPECT_NEAR(f.s.retro / double(p.sigma_retro * (1 - g) * v_m * n(Lobe::retro) / denominator(-alpha_0, p.rho_retro)), 1,
-              rounding);
+  EXPECT_NEAR(f.s.surface /
+                  double(p.sigma_surface * g * v_m * n(Lobe::surface) / denominator(alpha_0, p.rho_surface)),
+              1, rounding);
+  EXPECT_NEAR(
+      f.s.bulk / double(p.sigma_bulk * (1 - g) * v_m * n(Lobe::bulk) / denominator(alpha_0, p.rho_bulk)), 1,
+      rounding);
+  EXPECT_NEAR(
+      f.s.retro / double(p.sigma_retro * (1 - g) * v_m * n(Lobe::retro) / denominator(-alpha_0, p.rho_retro)),
+      1, rounding);
   EXPECT_NE(f.s.surface, f.p.surface);
   EXPECT_EQ(f.unpolarized().bulk, (f.s.bulk + f.p.bulk) / 2);
 }
@@ -67,23 +71,25 @@ TEST(ReferenceModel, IsEvenInPhiPeriodicAndNotNegative) {
         const double f = model.brdf(i, s, phi).unpolarized().total();
         EXPECT_GE(f, 0) << i << ' ' << s << ' ' << phi;
         EXPECT_EQ(f, model.brdf(i, s, -phi).unpolarized().total()) << i << ' ' << s << ' ' << phi;
-        EXPECT_NEAR(model.brdf(i, s, 360 - phi).unpolarized().total() / f, 1, 1e-9) << i << ' ' << s << ' ' << phi;
+        EXPECT_NEAR(model.brdf(i, s, 360 - phi).unpolarized().total() / f, 1, 1e-9)
+            << i << ' ' << s << ' ' << phi;
       }
 }
 
 TEST(ReferenceModel, ReciprocalNormalizationWithoutVmIsReciprocal) {
-  ModelSwitches switches{.normalization = Normalization::reciprocal, .reflectance_shadowing = ReflectanceShadowing::none};
-  const Model reciprocal(parameters(), switches);
-  switches.normalization = Normalization::hemispherical;
-  const Model hemispherical(parameters(), switches);
+  Variant variant{.normalization = Normalization::reciprocal,
+                  .reflectance_shadowing = ReflectanceShadowing::none};
+  const Model reciprocal(parameters(), variant);
+  variant.normalization = Normalization::hemispherical;
+  const Model hemispherical(parameters(), variant);
   for (const double phi : azimuths) {
     const double a = reciprocal.brdf(20, 75, phi).unpolarized().total();
     const double b = reciprocal.brdf(75, 20, phi).unpolarized().total();
     EXPECT_NEAR(a / b, 1, rounding) << "20 75 " << phi << ": " << a << ' ' << b;
-    EXPECT_GT(
-        std::fabs(hemispherical.brdf(20, 75, phi).unpolarized().total() / hemispherical.brdf(75, 20, phi).unpolarized().total() -
-                  1),
-        1e-3);
+    EXPECT_GT(std::fabs(hemispherical.brdf(20, 75, phi).unpolarized().total() /
+                            hemispherical.brdf(75, 20, phi).unpolarized().total() -
+                        1),
+              1e-3);
   }
   EXPECT_EQ(reciprocal.brdf(40, 40, 10).s.bulk, hemispherical.brdf(40, 40, 10).s.bulk);
 }
@@ -94,17 +100,20 @@ TEST(ReferenceModel, SwitchesActOnTheirFactor) {
   const Brdf all = Model(p).brdf(i, s, phi);
   const Brdf none = Model(p, {.reflectance_shadowing = ReflectanceShadowing::none}).brdf(i, s, phi);
   const Brdf surface = Model(p, {.reflectance_shadowing = ReflectanceShadowing::surface}).brdf(i, s, phi);
-  const double v_m = double(
-      reflectance_shadowing({p.w_a, p.w_b, p.gamma, p.delta}, Direction::from_degrees(i), Direction::from_degrees(s), phi));
+  const double v_m = double(reflectance_shadowing(
+      {p.w_a, p.w_b, p.gamma, p.delta}, Direction::from_degrees(i), Direction::from_degrees(s), phi));
   ASSERT_LT(v_m, 0.9);
   EXPECT_NEAR(all.s.retro / none.s.retro, v_m, rounding);
   EXPECT_EQ(surface.s.surface, all.s.surface);
   EXPECT_EQ(surface.s.retro, none.s.retro);
   // A Gaussian lobe at its centre is N; a Lorentzian is N/ρ′².
-  const Model gaussian(p, {.autocovariance = Autocovariance::gaussian, .reflectance_shadowing = ReflectanceShadowing::none});
-  const Real g = mean_transmittance({p.n_eff, p.k_eff}, Direction::from_degrees(i), Direction::from_degrees(i)).s;
-  EXPECT_NEAR(gaussian.brdf(i, i, 180).s.retro / double(p.sigma_retro * g * gaussian.normalization(Lobe::retro, i).value), 1,
-              rounding);
+  const Model gaussian(
+      p, {.autocovariance = Autocovariance::gaussian, .reflectance_shadowing = ReflectanceShadowing::none});
+  const Real g =
+      mean_transmittance({p.n_eff, p.k_eff}, Direction::from_degrees(i), Direction::from_degrees(i)).s;
+  EXPECT_NEAR(gaussian.brdf(i, i, 180).s.retro /
+                  double(p.sigma_retro * g * gaussian.normalization(Lobe::retro, i).value),
+              1, rounding);
 }
 
 TEST(ReferenceModel, TotalReflectionLeavesTheSurfaceOnly) {
@@ -163,8 +172,8 @@ double hemispherical_integral(const Model& model, double theta_i, Lobe lobe) {
             const Lobes lobes = model.brdf(theta_i, theta, phi).unpolarized();
             return lobe == Lobe::surface ? lobes.surface : lobe == Lobe::bulk ? lobes.bulk : lobes.retro;
           };
-          const double ring = Gauss::integrate(f, 0, 30) + Gauss::integrate(f, 30, 90) + Gauss::integrate(f, 90, 150) +
-                              Gauss::integrate(f, 150, 180);
+          const double ring = Gauss::integrate(f, 0, 30) + Gauss::integrate(f, 30, 90) +
+                              Gauss::integrate(f, 90, 150) + Gauss::integrate(f, 150, 180);
           return 2 * ring * double(sin_degrees(theta) * cos_degrees(theta)) * radian * radian;
         },
         edges[k], edges[k + 1]);
@@ -174,9 +183,11 @@ double hemispherical_integral(const Model& model, double theta_i, Lobe lobe) {
 TEST(ReferenceReflectance, DhrIsTheIntegralOfF) {
   // Panels of 25 points, with an edge at the critical angle, reach this.
   constexpr double brute_force_tolerance = 1e-7;
-  for (const auto normalization : {Normalization::hemispherical, Normalization::closed_form, Normalization::reciprocal})
+  for (const auto normalization :
+       {Normalization::hemispherical, Normalization::closed_form, Normalization::reciprocal})
     for (const auto autocovariance : {Autocovariance::lorentzian, Autocovariance::gaussian}) {
-      if (normalization != Normalization::hemispherical && autocovariance == Autocovariance::gaussian) continue;
+      if (normalization != Normalization::hemispherical && autocovariance == Autocovariance::gaussian)
+        continue;
       const Model model(parameters(), {.normalization = normalization, .autocovariance = autocovariance});
       for (const double theta : {0.0, 40.0}) {
         const LobeReflectance r = model.dhr(theta).unpolarized();
@@ -185,7 +196,8 @@ TEST(ReferenceReflectance, DhrIsTheIntegralOfF) {
           const Estimate& part = parts[static_cast<int>(lobe)];
           const double expected = hemispherical_integral(model, theta, lobe);
           EXPECT_NEAR(part.value / expected, 1, brute_force_tolerance)
-              << lobe_names[static_cast<int>(lobe)] << " theta_i " << theta << ": " << part.value << ' ' << expected;
+              << lobe_names[static_cast<int>(lobe)] << " theta_i " << theta << ": " << part.value << ' '
+              << expected;
           EXPECT_LT(part.error, dhr_tolerance);
         }
       }
@@ -200,14 +212,16 @@ TEST(ReferenceReflectance, WithoutLossesDhrIsTheAmplitude) {
   for (const auto autocovariance : {Autocovariance::lorentzian, Autocovariance::gaussian})
     for (const double w : {0.05, 0.9}) {
       p.w = w;
-      const Model model(p, {.autocovariance = autocovariance, .reflectance_shadowing = ReflectanceShadowing::none});
+      const Model model(
+          p, {.autocovariance = autocovariance, .reflectance_shadowing = ReflectanceShadowing::none});
       for (const double theta : thetas) {
         const Reflectance r = model.dhr(theta);
         EXPECT_EQ(r.s.surface.value, 0) << theta;
         EXPECT_NEAR(r.s.bulk.value / p.sigma_bulk, 1, dhr_tolerance) << "w " << w << " theta_i " << theta;
         EXPECT_NEAR(r.p.retro.value / p.sigma_retro, 1, dhr_tolerance) << "w " << w << " theta_i " << theta;
       }
-      EXPECT_NEAR(model.bhr().unpolarized().total().value / (p.sigma_bulk + p.sigma_retro), 1, dhr_tolerance) << w;
+      EXPECT_NEAR(model.bhr().unpolarized().total().value / (p.sigma_bulk + p.sigma_retro), 1, dhr_tolerance)
+          << w;
     }
 }
 
@@ -215,8 +229,8 @@ TEST(ReferenceReflectance, BhrIsTheMeanOfDhr) {
   const Model model(parameters());
   using Gauss = boost::math::quadrature::gauss<double, 15>;
   const auto integrand = [&](double theta) {
-    return 2 * model.dhr(theta).unpolarized().total().value * double(sin_degrees(theta) * cos_degrees(theta)) * std::numbers::pi /
-           180;
+    return 2 * model.dhr(theta).unpolarized().total().value *
+           double(sin_degrees(theta) * cos_degrees(theta)) * std::numbers::pi / 180;
   };
   const double expected = Gauss::integrate(integrand, 0, 51.26) + Gauss::integrate(integrand, 51.26, 90);
   EXPECT_NEAR(model.bhr().unpolarized().total().value / expected, 1, 1e-5);

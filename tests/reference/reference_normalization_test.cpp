@@ -1,8 +1,8 @@
 // Rung 0, N: closed forms, symmetry and brute-force integrals over the disc against
 // the scalar reference's quadrature.
+#include <boost/math/quadrature/gauss.hpp>
 #include <gtest/gtest.h>
 
-#include <boost/math/quadrature/gauss.hpp>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -72,16 +72,18 @@ double brute_force(const Function& f, double theta_i) {
 
 TEST(ReferenceNormalization, Equation8WithForeshorteningAndVOff) {
   Parameters p = parameters();
-  const ModelSwitches flat{.foreshortening = false, .width_shadowing = false};
-  ModelSwitches closed = flat;
+  const Variant flat{.foreshortening = false, .width_shadowing = false};
+  Variant closed = flat;
   closed.normalization = Normalization::closed_form;
   for (const double rho : {1e-4, 0.01, 0.5, 3.0, 100.0}) {
     p.rho_bulk = rho;
     for (const double theta : {0.0, 1e-3, 30.0, 75.0, 89.9}) {
       const Estimate numeric = Model(p, flat).normalization(Lobe::bulk, theta);
       const Estimate analytic = Model(p, closed).normalization(Lobe::bulk, theta);
-      EXPECT_NEAR(numeric.value / equation_8(rho, theta), 1, normalization_tolerance) << rho << " theta_i " << theta;
-      EXPECT_NEAR(analytic.value / equation_8(rho, theta), 1, normalization_tolerance) << rho << " theta_i " << theta;
+      EXPECT_NEAR(numeric.value / equation_8(rho, theta), 1, normalization_tolerance)
+          << rho << " theta_i " << theta;
+      EXPECT_NEAR(analytic.value / equation_8(rho, theta), 1, normalization_tolerance)
+          << rho << " theta_i " << theta;
       EXPECT_LT(numeric.error, normalization_tolerance);
       EXPECT_GT(numeric.error, 0);
     }
@@ -89,8 +91,9 @@ TEST(ReferenceNormalization, Equation8WithForeshorteningAndVOff) {
 }
 
 TEST(ReferenceNormalization, ClosedFormKeepsRhoConstant) {
-  ModelSwitches closed{.normalization = Normalization::closed_form};
-  EXPECT_NEAR(Model(parameters(), closed).normalization(Lobe::bulk, 50).value / equation_8(0.8, 50), 1, normalization_tolerance);
+  Variant closed{.normalization = Normalization::closed_form};
+  EXPECT_NEAR(Model(parameters(), closed).normalization(Lobe::bulk, 50).value / equation_8(0.8, 50), 1,
+              normalization_tolerance);
   closed.autocovariance = Autocovariance::gaussian;
   EXPECT_THROW(Model(parameters(), closed), std::invalid_argument);
 }
@@ -101,7 +104,8 @@ TEST(ReferenceNormalization, NormalIncidenceWithVOffIsElementary) {
   Parameters p = parameters();
   p.rho_bulk = 2;
   const Model model(p, {.width_shadowing = false});
-  EXPECT_NEAR(model.normalization(Lobe::bulk, 0).value * std::numbers::pi * (1 - std::numbers::ln2), 1, normalization_tolerance);
+  EXPECT_NEAR(model.normalization(Lobe::bulk, 0).value * std::numbers::pi * (1 - std::numbers::ln2), 1,
+              normalization_tolerance);
 }
 
 TEST(ReferenceNormalization, IsTheSameAtPlusAndMinusAlpha0) {
@@ -112,9 +116,11 @@ TEST(ReferenceNormalization, IsTheSameAtPlusAndMinusAlpha0) {
 }
 
 // The lobe of Eq. (12) or (2) from its factors, without N.
-double bare_lobe(const Parameters& p, Autocovariance autocovariance, double theta_i, double theta_s, double phi) {
+double bare_lobe(const Parameters& p, Autocovariance autocovariance, double theta_i, double theta_s,
+                 double phi) {
   const Width width{p.rho_bulk, p.w, p.n, true, true};
-  const Real square = std::exp(width.log_square(Direction::from_degrees(theta_i), Direction::from_degrees(theta_s)));
+  const Real square =
+      std::exp(width.log_square(Direction::from_degrees(theta_i), Direction::from_degrees(theta_s)));
   const Real distance = squared_distance(theta_i, theta_s, phi);
   return static_cast<double>(autocovariance == Autocovariance::gaussian ? std::exp(-distance / (4 * square))
                                                                         : 1 / (distance + square));
@@ -127,10 +133,12 @@ TEST(ReferenceNormalization, LobesIntegrateToOne) {
       for (const double theta : {0.0, 25.0, 60.0}) {
         p.rho_bulk = rho;
         const Model model(p, {.autocovariance = autocovariance});
-        const double integral =
-            brute_force([&](double theta_s, double phi) { return bare_lobe(p, autocovariance, theta, theta_s, phi); }, theta);
+        const double integral = brute_force(
+            [&](double theta_s, double phi) { return bare_lobe(p, autocovariance, theta, theta_s, phi); },
+            theta);
         EXPECT_NEAR(integral * model.normalization(Lobe::bulk, theta).value, 1, brute_force_tolerance)
-            << "gaussian " << (autocovariance == Autocovariance::gaussian) << " rho " << rho << " theta_i " << theta;
+            << "gaussian " << (autocovariance == Autocovariance::gaussian) << " rho " << rho << " theta_i "
+            << theta;
       }
 }
 
@@ -146,7 +154,8 @@ TEST(ReferenceNormalization, DependsOnVOnlyLogarithmicallyWhereVVanishes) {
     const Width width{p.rho_bulk, p.w, p.n, true, true};
     // Outside the peak 1/N has ∫ du/|u − u₀| only, whatever V does there.
     const Real u = in.sin * in.sin, v = in.cos * in.cos;
-    const Real limit = std::numbers::pi_v<Real> * (std::log(u) + std::log(v) - std::log(u) - width.log_square(in, in));
+    const Real limit =
+        std::numbers::pi_v<Real> * (std::log(u) + std::log(v) - std::log(u) - width.log_square(in, in));
     const Estimate n = model.normalization(Lobe::bulk, theta);
     EXPECT_NEAR(n.value * static_cast<double>(limit), 1, normalization_tolerance) << theta;
     EXPECT_LT(n.error, normalization_tolerance) << theta;
@@ -157,15 +166,18 @@ TEST(ReferenceNormalization, GaussianTooNarrowForADoubleIsInfinite) {
   Parameters p = parameters();
   p.w = 0.05;
   p.n = 60;
-  EXPECT_TRUE(std::isinf(Model(p, {.autocovariance = Autocovariance::gaussian}).normalization(Lobe::bulk, 60).value));
+  EXPECT_TRUE(
+      std::isinf(Model(p, {.autocovariance = Autocovariance::gaussian}).normalization(Lobe::bulk, 60).value));
 }
 
 TEST(ReferenceNormalization, NarrowGaussianIsAPlaneIntegral) {
   // ∬ exp(−d²/4ρ²) over the plane is 4πρ²; the disc's edge is e^-9000 away.
   Parameters p = parameters();
   p.rho_bulk = 1e-3;
-  const Model model(p, {.autocovariance = Autocovariance::gaussian, .foreshortening = false, .width_shadowing = false});
-  EXPECT_NEAR(model.normalization(Lobe::bulk, 50).value * 4 * std::numbers::pi * 1e-6, 1, normalization_tolerance);
+  const Model model(
+      p, {.autocovariance = Autocovariance::gaussian, .foreshortening = false, .width_shadowing = false});
+  EXPECT_NEAR(model.normalization(Lobe::bulk, 50).value * 4 * std::numbers::pi * 1e-6, 1,
+              normalization_tolerance);
 }
 
 }  // namespace

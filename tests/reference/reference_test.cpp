@@ -24,7 +24,8 @@ Real relative_difference(Real a, Real b) { return a == b ? 0 : std::fabs(a - b) 
 // Eq. (15) as printed.
 Polarized equation_15(Complex m, const Direction& d) {
   const Complex root = std::sqrt(Real(1) - d.sin * d.sin / (m * m));
-  return {std::norm((d.cos - m * root) / (d.cos + m * root)), std::norm((-m * d.cos + root) / (m * d.cos + root))};
+  return {std::norm((d.cos - m * root) / (d.cos + m * root)),
+          std::norm((-m * d.cos + root) / (m * d.cos + root))};
 }
 
 TEST(ReferenceDirection, IsExactWhereItCanBe) {
@@ -52,8 +53,10 @@ TEST(ReferenceDistance, IsTheDistanceOfDirectionVectors) {
         const Real forward = std::pow(alpha - sin_degrees(i), 2) + beta * beta;
         const Real retro = std::pow(alpha + sin_degrees(i), 2) + beta * beta;
         // Absolute: the vectors, not the distance, cancel at a centre.
-        EXPECT_NEAR(double(squared_distance(i, s, phi)), double(forward), 1e-18) << i << ' ' << s << ' ' << phi;
-        EXPECT_NEAR(double(squared_distance_retro(i, s, phi)), double(retro), 1e-18) << i << ' ' << s << ' ' << phi;
+        EXPECT_NEAR(double(squared_distance(i, s, phi)), double(forward), 1e-18)
+            << i << ' ' << s << ' ' << phi;
+        EXPECT_NEAR(double(squared_distance_retro(i, s, phi)), double(retro), 1e-18)
+            << i << ' ' << s << ' ' << phi;
       }
 }
 
@@ -70,7 +73,8 @@ TEST(ReferenceDistance, KeepsDigitsAtThePeak) {
 }
 
 TEST(ReferenceFresnel, IsEquation15) {
-  for (const Complex m : {Complex(1.5L, 0), Complex(0.78L, 0.14L), Complex(0.05L, 20), Complex(20, 20), Complex(0.65L, 0)})
+  for (const Complex m :
+       {Complex(1.5L, 0), Complex(0.78L, 0.14L), Complex(0.05L, 20), Complex(20, 20), Complex(0.65L, 0)})
     for (const double theta : {0.0, 20.0, 55.0, 80.0, 89.9}) {
       const Direction d = Direction::from_degrees(theta);
       const Polarized r = reflectance(m, d), expected = equation_15(m, d);
@@ -152,7 +156,8 @@ TEST(ReferenceWidthShadowing, Equation11) {
   for (const double theta : {0.0, 30.0, 89.9}) {
     const Real chi_squared = std::pow(sin_degrees(theta), 2);
     for (const Real w : {0.05L, 0.9L, 100.0L})
-      EXPECT_LT(relative_difference(width_shadowing(chi_squared, w, 0), std::exp(-chi_squared / (w * w))), 1e-16L)
+      EXPECT_LT(relative_difference(width_shadowing(chi_squared, w, 0), std::exp(-chi_squared / (w * w))),
+                1e-16L)
           << theta << ' ' << w;
   }
 }
@@ -191,12 +196,14 @@ TEST(ReferenceWidthShadowing, WidthOfEquation12) {
 constexpr ReflectanceShadowingParameters shadowing{0.4L, 0.3L, 5, 0.7L};
 
 // Eq. (13) as printed, with Sgn.
-Real equation_13(const ReflectanceShadowingParameters& q, const Direction& in, const Direction& out, double phi) {
+Real equation_13(const ReflectanceShadowingParameters& q, const Direction& in, const Direction& out,
+                 double phi) {
   const Real alpha = out.sin * cos_degrees(phi), zeta = alpha / std::sqrt(1 - alpha * alpha);
   const Real zeta_0 = in.sin / in.cos, sign = zeta > 0 ? 1 : zeta < 0 ? -1 : 0;
   const Real onset = std::exp(-q.gamma * std::fabs(zeta_0) * std::exp(-q.delta / (zeta_0 * zeta_0)));
-  return 0.5L * (1 - onset) * (sign + 1) + std::exp(-q.w_a * std::fabs(zeta) * std::exp(-q.w_b / (alpha * alpha))) *
-                                               (0.5L * (1 - sign) + 0.5L * onset * (sign + 1));
+  return 0.5L * (1 - onset) * (sign + 1) +
+         std::exp(-q.w_a * std::fabs(zeta) * std::exp(-q.w_b / (alpha * alpha))) *
+             (0.5L * (1 - sign) + 0.5L * onset * (sign + 1));
 }
 
 TEST(ReferenceReflectanceShadowing, IsEquation13) {
@@ -206,7 +213,8 @@ TEST(ReferenceReflectanceShadowing, IsEquation13) {
         const Direction in = Direction::from_degrees(i), out = Direction::from_degrees(s);
         const Real v_m = reflectance_shadowing(shadowing, in, out, phi);
         // 1 − α² as printed loses four digits at 89°.
-        EXPECT_LT(relative_difference(v_m, equation_13(shadowing, in, out, phi)), 1e-14L) << i << ' ' << s << ' ' << phi;
+        EXPECT_LT(relative_difference(v_m, equation_13(shadowing, in, out, phi)), 1e-14L)
+            << i << ' ' << s << ' ' << phi;
         EXPECT_NEAR(double(std::exp(log_reflectance_shadowing(shadowing, in, out, phi)) - v_m), 0, 1e-17)
             << i << ' ' << s << ' ' << phi;
       }
@@ -228,14 +236,16 @@ TEST(ReferenceReflectanceShadowing, IsOneAtAlphaZeroAndFromBothSides) {
 TEST(ReferenceReflectanceShadowing, OneSidedLimits) {
   const Direction normal = Direction::from_degrees(0), out = Direction::from_degrees(80);
   // At α₀ = 0, E₀ = 1 and V_m is even in α.
-  EXPECT_EQ(reflectance_shadowing(shadowing, normal, out, 0), reflectance_shadowing(shadowing, normal, out, 180));
+  EXPECT_EQ(reflectance_shadowing(shadowing, normal, out, 0),
+            reflectance_shadowing(shadowing, normal, out, 180));
   // Large γ lights the forward side fully and leaves the other as it is.
   ReflectanceShadowingParameters lit = shadowing;
   lit.gamma = 1000;
   lit.delta = 0;
   const Direction grazing = Direction::from_degrees(80);
   EXPECT_EQ(reflectance_shadowing(lit, grazing, out, 0), 1);
-  EXPECT_EQ(reflectance_shadowing(lit, grazing, out, 180), reflectance_shadowing(shadowing, grazing, out, 180));
+  EXPECT_EQ(reflectance_shadowing(lit, grazing, out, 180),
+            reflectance_shadowing(shadowing, grazing, out, 180));
 }
 
 }  // namespace

@@ -35,9 +35,10 @@ TEST_F(GridChoice, SampledModelIsTheReference) {
       std::string text = shipped(name).text();
       if (normalization == Normalization::reciprocal) text += "[model]\nnormalization = \"reciprocal\"\n";
       const Material material = Material::parse(text, name);
-      const std::vector<Polarization> polarizations{Polarization::unpolarized, Polarization::s, Polarization::p};
+      const std::vector<Polarization> polarizations{Polarization::unpolarized, Polarization::s,
+                                                    Polarization::p};
       const SampledModel model(engine, material, polarizations, {0, 88}, {0, 89});
-      DirectionSource source({0, 88}, {0, 89}, 11);
+      DirectionDraw source({0, 88}, {0, 89}, 11);
       Directions directions;
       std::vector<DirectionPair> pairs;
       for (int k = 0; k < 60; ++k) {
@@ -46,10 +47,11 @@ TEST_F(GridChoice, SampledModelIsTheReference) {
         pairs.push_back({i, s, phi, 0});
       }
       const auto f = model.evaluate(directions);
-      const auto expected = evaluate_reference(material.bands().front(), material.switches(), pairs);
+      const auto expected = evaluate_reference(material.bands().front(), material.variant(), pairs);
       ASSERT_EQ(f.size(), 3);
       for (std::size_t k = 0; k < pairs.size(); ++k) {
-        const auto where = fmt::format("{} at {}, {}, {}", name, pairs[k].theta_i, pairs[k].theta_s, pairs[k].phi);
+        const auto where =
+            fmt::format("{} at {}, {}, {}", name, pairs[k].theta_i, pairs[k].theta_s, pairs[k].phi);
         EXPECT_NEAR(f[0][k] / expected[k].unpolarized(), 1, curve_tolerance) << where;
         EXPECT_NEAR(f[1][k] / expected[k].s, 1, curve_tolerance) << where;
         EXPECT_NEAR(f[2][k] / expected[k].p, 1, curve_tolerance) << where;
@@ -64,16 +66,17 @@ TEST_F(GridChoice, DensityGivesTheErrorAskedFor) {
   const Engine engine(device_, Precision::float64, Precision::float32);
   const Material material = shipped("brown-vinyl");
   const SampledModel model(engine, material, {Polarization::unpolarized}, {0, 85}, {0, 89});
-  DirectionSource source({0, 85}, {0, 89}, 5);
+  DirectionDraw source({0, 85}, {0, 89}, 5);
   const double asked = 0.01;
   const auto nodes = AxisDensity(model, ChosenAxis::theta_s, {0, 89}, asked, source).nodes(1);
   EXPECT_EQ(nodes.front(), 0);
   EXPECT_EQ(nodes.back(), 89);
   Directions at, low, high;
-  DirectionSource fresh({0, 85}, {0, 89}, 6);
+  DirectionDraw fresh({0, 85}, {0, 89}, 6);
   for (std::size_t k = 1; k < nodes.size(); ++k)
     for (int j = 0; j < 500; ++j) {
-      const double middle = 0.5 * (nodes[k - 1] + nodes[k]), i = fresh.near(middle, {0, 85}), phi = fresh.azimuth();
+      const double middle = 0.5 * (nodes[k - 1] + nodes[k]), i = fresh.near(middle, {0, 85}),
+                   phi = fresh.azimuth();
       at.add(i, middle, phi);
       low.add(i, nodes[k - 1], phi);
       high.add(i, nodes[k], phi);

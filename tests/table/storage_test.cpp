@@ -9,12 +9,12 @@
 #include <iterator>
 
 #include "host/base/error.hpp"
-#include "host/table/generate.hpp"
+#include "host/compute/rounding.hpp"
 #include "host/formats/hdf5/hdf5_handle.hpp"
 #include "host/formats/hdf5/hdf5_reader.hpp"
-#include "host/formats/hdf5/hdf5_table.hpp"
-#include "host/compute/rounding.hpp"
+#include "host/formats/hdf5/hdf5_writer.hpp"
 #include "host/model/relative_azimuth.hpp"
+#include "host/table/generate.hpp"
 
 namespace brdftab {
 namespace {
@@ -22,13 +22,15 @@ namespace {
 namespace fs = std::filesystem;
 
 const char* const two_bands =
-    "name = \"two bands\"\n[parameters]\nn_eff = 1.24\nk_eff = 0.1\nsigma_surface = 1.9\nrho_surface = 0.45\nsigma_bulk = 0.073\n"
-    "rho_bulk = 0.88\nsigma_retro = 0.061\nrho_retro = 1.9\nw_a = 0.21\nw_b = 0.12\ngamma = 0.9\ndelta = 0.1\nw = 2.0\nn = 1.5\n"
+    "name = \"two bands\"\n[parameters]\nn_eff = 1.24\nk_eff = 0.1\nsigma_surface = 1.9\nrho_surface = "
+    "0.45\nsigma_bulk = 0.073\n"
+    "rho_bulk = 0.88\nsigma_retro = 0.061\nrho_retro = 1.9\nw_a = 0.21\nw_b = 0.12\ngamma = 0.9\ndelta = "
+    "0.1\nw = 2.0\nn = 1.5\n"
     "[[band]]\nwavelength_nm = 450\n[[band]]\nwavelength_nm = 650\nn_eff = 1.5\nsigma_bulk = 0.2\n";
 
 Grid grid_of(const char* theta_i, const char* phi_i, const char* theta_s, const char* phi_s) {
-  return {Axis::parse(AxisKind::theta_i, theta_i), Axis::parse(AxisKind::phi_i, phi_i), Axis::parse(AxisKind::theta_s, theta_s),
-          Axis::parse(AxisKind::phi_s, phi_s)};
+  return {Axis::parse(AxisKind::theta_i, theta_i), Axis::parse(AxisKind::phi_i, phi_i),
+          Axis::parse(AxisKind::theta_s, theta_s), Axis::parse(AxisKind::phi_s, phi_s)};
 }
 
 class Storage : public testing::Test {
@@ -42,14 +44,14 @@ class Storage : public testing::Test {
   GenerateSummary make(const std::string& name, const Grid& grid, const TableStorage& storage,
                        Precision precision = Precision::float32, std::size_t slab_bytes = 32 << 20) {
     GenerateOptions options;
-    options.quiet = true;
     options.force = true;
     options.storage = storage;
     options.slab_bytes = slab_bytes;
     options.polarizations = {Polarization::unpolarized, Polarization::s};
     static const Engine narrow(device_, Precision::float64, Precision::float32);
     static const Engine wide(device_, Precision::float64, Precision::float64);
-    return generate(precision == Precision::float64 ? wide : narrow, material_, grid, folder_ / name, create_hdf5_table, options);
+    return generate(precision == Precision::float64 ? wide : narrow, material_, grid, folder_ / name,
+                    create_hdf5_writer, options);
   }
 
   // Every sample of both datasets, as stored.
@@ -60,9 +62,10 @@ class Storage : public testing::Test {
       const Hdf5Handle dataset(H5Dopen2(file, brdf, H5P_DEFAULT), brdf);
       const Hdf5Handle space(H5Dget_space(dataset), brdf);
       const std::size_t before = all.size();
-      all.resize(before + static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)) * bytes_of(precision));
-      hdf5_check(H5Dread(dataset, precision == Precision::float64 ? H5T_NATIVE_DOUBLE : H5T_NATIVE_FLOAT, H5S_ALL, H5S_ALL,
-                         H5P_DEFAULT, all.data() + before),
+      all.resize(before +
+                 static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)) * bytes_of(precision));
+      hdf5_check(H5Dread(dataset, precision == Precision::float64 ? H5T_NATIVE_DOUBLE : H5T_NATIVE_FLOAT,
+                         H5S_ALL, H5S_ALL, H5P_DEFAULT, all.data() + before),
                  brdf);
     }
     return all;
@@ -74,7 +77,7 @@ class Storage : public testing::Test {
   }
 
   Hdf5Storage stored(const std::string& name, const std::string& variable) {
-    return open_hdf5_table(folder_ / name)->info().variable(variable)->storage.value();
+    return open_hdf5_reader(folder_ / name)->info().variable(variable)->storage.value();
   }
 
   const Device device_ = select_device(std::nullopt);
@@ -91,19 +94,22 @@ const Grid chunked_grids[] = {
 };
 
 TEST_F(Storage, CompressedSamplesAreTheContiguousOnes) {
-  const std::vector<std::size_t> shapes[] = {{1, 5, 3, 9, 361}, {1, 1, 7, 12, 721}, {1, 1, 1, 90, 1441}, {1, 1, 1, 6, 23041}};
+  const std::vector<std::size_t> shapes[] = {
+      {1, 5, 3, 9, 361}, {1, 1, 7, 12, 721}, {1, 1, 1, 90, 1441}, {1, 1, 1, 6, 23041}};
   for (std::size_t k = 0; k < std::size(chunked_grids); ++k) {
     make("plain.h5", chunked_grids[k], {});
     make("small.h5", chunked_grids[k], {.deflate_level = 1});
     EXPECT_EQ(stored("small.h5", "brdf").chunk, shapes[k]);
     EXPECT_EQ(stored("small.h5", "brdf").filters, (std::vector<std::string>{"shuffle", "deflate 1"}));
-    EXPECT_TRUE(samples("small.h5", Precision::float32) == samples("plain.h5", Precision::float32)) << "grid " << k;
+    EXPECT_TRUE(samples("small.h5", Precision::float32) == samples("plain.h5", Precision::float32))
+        << "grid " << k;
     EXPECT_GT(stored("small.h5", "brdf").ratio, 1.1) << "grid " << k;
   }
   make("plain.h5", chunked_grids[0], {}, Precision::float64);
   for (const int level : {1, 6, 12}) {
     make("small.h5", chunked_grids[0], {.deflate_level = level}, Precision::float64);
-    EXPECT_TRUE(samples("small.h5", Precision::float64) == samples("plain.h5", Precision::float64)) << "level " << level;
+    EXPECT_TRUE(samples("small.h5", Precision::float64) == samples("plain.h5", Precision::float64))
+        << "level " << level;
   }
 }
 
@@ -127,14 +133,16 @@ TEST(Chunks, HoldWholeHemispheresOrRowsOfModestSize) {
         for (const std::size_t node_bytes : {4u, 8u}) {
           const Grid grid = grid_of("0:80:20", phi_i, theta_s, phi_s);
           const Chunk chunk = chunk_shape(grid, node_bytes);
-          const std::size_t bytes = chunk.theta_i * chunk.phi_i * chunk.theta_s * grid.phi_s.size() * node_bytes;
+          const std::size_t bytes =
+              chunk.theta_i * chunk.phi_i * chunk.theta_s * grid.phi_s.size() * node_bytes;
           EXPECT_LE(bytes, 1u << 20);
           EXPECT_GE(bytes, std::min<std::size_t>(64 << 10, grid.directions() * node_bytes));
           EXPECT_TRUE(chunk.theta_s == grid.theta_s.size() || (chunk.phi_i == 1 && chunk.theta_i == 1));
           EXPECT_TRUE(chunk.phi_i == grid.phi_i.size() || chunk.theta_i == 1);
           std::size_t odd = 0;
           for (const Slab& slab : slabs(grid, 3'000'000, chunk)) {
-            odd += slab.theta_i.begin % chunk.theta_i + slab.phi_i.begin % chunk.phi_i + slab.theta_s.begin % chunk.theta_s;
+            odd += slab.theta_i.begin % chunk.theta_i + slab.phi_i.begin % chunk.phi_i +
+                   slab.theta_s.begin % chunk.theta_s;
             odd += slab.nodes() > 3'000'000;
           }
           EXPECT_EQ(odd, 0u);
@@ -158,12 +166,14 @@ TEST_F(Storage, RoundedSamplesKeepTheirBound) {
           // Nearest, ties to even, by the floating-point unit's own rounding of an integer.
           int exponent;
           const double mantissa = std::frexp(static_cast<double>(before), &exponent);
-          EXPECT_EQ(static_cast<double>(after),
-                    std::ldexp(std::nearbyint(std::ldexp(mantissa, keep_bits + 1)), exponent - keep_bits - 1));
+          EXPECT_EQ(
+              static_cast<double>(after),
+              std::ldexp(std::nearbyint(std::ldexp(mantissa, keep_bits + 1)), exponent - keep_bits - 1));
           largest = std::max(largest, std::abs(static_cast<double>(after) / static_cast<double>(before) - 1));
         }
       };
-      precision == Precision::float64 ? compare(double{}, std::uint64_t{}) : compare(float{}, std::uint32_t{});
+      precision == Precision::float64 ? compare(double{}, std::uint64_t{})
+                                      : compare(float{}, std::uint32_t{});
       EXPECT_LE(largest, rounding_error(keep_bits));
       if (keep_bits == mantissa_bits(precision)) {
         EXPECT_EQ(largest, 0);
@@ -180,7 +190,9 @@ TEST_F(Storage, RoundedSamplesKeepTheirBound) {
 
 TEST_F(Storage, RoundingLeavesWhatHasNoBound) {
   const Engine engine(device_, Precision::float64, Precision::float32);
-  const float kept[] = {0.0f, 1e-40f, std::numeric_limits<float>::denorm_min(), std::numeric_limits<float>::max(), INFINITY, NAN};
+  const float kept[] = {
+      0.0f,     1e-40f, std::numeric_limits<float>::denorm_min(), std::numeric_limits<float>::max(),
+      INFINITY, NAN};
   const float moved[] = {1.25f, 1.75f, 1.2500001f, 3.3e38f};
   const float expected[] = {1.0f, 2.0f, 1.5f, 2.5521178e38f};
   std::vector<float> values(std::begin(kept), std::end(kept));
@@ -196,12 +208,13 @@ TEST_F(Storage, RoundingLeavesWhatHasNoBound) {
 
 TEST_F(Storage, ViewsShowTheContiguousSamples) {
   const Grid grids[] = {
-      grid_of("0,30", "0:355:5", "0:80:20", "0:360:5"),                                  // closed, one step
-      grid_of("0,30", "0:355:5", "0:80:20", "0:355:5"),                                  // half open
-      grid_of("0,30", "-180:180:2", "0:80:20", "-360:0:5"),                              // strided
-      grid_of("0,30", "0:90:2.5", "0:80:20", "10:190:7.5"),                              // not all round
-      grid_of("0,30", "0,90,180", "0:80:20", "0,1,7,90,91,97,180,181,187,270,271,277"),  // uneven, but the same from each phi_i
-      grid_of("0,30", "7.3", "0:80:20", "0:360:0.1"),                                    // one phi_i
+      grid_of("0,30", "0:355:5", "0:80:20", "0:360:5"),      // closed, one step
+      grid_of("0,30", "0:355:5", "0:80:20", "0:355:5"),      // half open
+      grid_of("0,30", "-180:180:2", "0:80:20", "-360:0:5"),  // strided
+      grid_of("0,30", "0:90:2.5", "0:80:20", "10:190:7.5"),  // not all round
+      grid_of("0,30", "0,90,180", "0:80:20",
+              "0,1,7,90,91,97,180,181,187,270,271,277"),  // uneven, but the same from each phi_i
+      grid_of("0,30", "7.3", "0:80:20", "0:360:0.1"),     // one phi_i
   };
   for (const Grid& grid : grids)
     for (const Precision precision : {Precision::float32, Precision::float64}) {
@@ -235,14 +248,16 @@ TEST(RelativeAzimuth, CoversEachRowInAtMostTwoPieces) {
 }
 
 TEST(RelativeAzimuth, RefusesWhatIsNoView) {
-  for (const auto& [phi_i, phi_s] :
-       {std::pair{"0,10", "0:360:0.1"}, {"0,7,19,60", "0,1,3,10,30,90,91,97,115,118,203"}, {"0:359:1", "0:360:0.01"}}) {
+  for (const auto& [phi_i, phi_s] : {std::pair{"0,10", "0:360:0.1"},
+                                     {"0,7,19,60", "0,1,3,10,30,90,91,97,115,118,203"},
+                                     {"0:359:1", "0:360:0.01"}}) {
     const Grid grid = grid_of("0", phi_i, "0", phi_s);
     try {
       relative_azimuth(grid.phi_i, grid.phi_s);
       FAIL() << phi_i << " and " << phi_s << " were taken";
     } catch (const BadInput& error) {
-      EXPECT_NE(std::string(error.what()).find("--layout virtual: phi_s - phi_i takes"), std::string::npos) << error.what();
+      EXPECT_NE(std::string(error.what()).find("--layout virtual: phi_s - phi_i takes"), std::string::npos)
+          << error.what();
     }
   }
 }

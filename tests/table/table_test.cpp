@@ -6,10 +6,10 @@
 #include <filesystem>
 
 #include "host/base/error.hpp"
-#include "host/table/generate.hpp"
-#include "host/formats/hdf5/hdf5_handle.hpp"
-#include "host/formats/hdf5/hdf5_table.hpp"
 #include "host/compute/plan.hpp"
+#include "host/formats/hdf5/hdf5_handle.hpp"
+#include "host/formats/hdf5/hdf5_writer.hpp"
+#include "host/table/generate.hpp"
 
 namespace brdftab {
 namespace {
@@ -30,8 +30,10 @@ class Table : public testing::Test {
 };
 
 const char* const two_bands =
-    "name = \"two bands\"\n[parameters]\nn_eff = 1.24\nk_eff = 0.1\nsigma_surface = 1.9\nrho_surface = 0.45\nsigma_bulk = 0.073\n"
-    "rho_bulk = 0.88\nsigma_retro = 0.061\nrho_retro = 1.9\nw_a = 0.21\nw_b = 0.12\ngamma = 0.9\ndelta = 0.1\nw = 2.0\nn = 1.5\n"
+    "name = \"two bands\"\n[parameters]\nn_eff = 1.24\nk_eff = 0.1\nsigma_surface = 1.9\nrho_surface = "
+    "0.45\nsigma_bulk = 0.073\n"
+    "rho_bulk = 0.88\nsigma_retro = 0.061\nrho_retro = 1.9\nw_a = 0.21\nw_b = 0.12\ngamma = 0.9\ndelta = "
+    "0.1\nw = 2.0\nn = 1.5\n"
     "[[band]]\nwavelength_nm = 450\n[[band]]\nwavelength_nm = 650\nn_eff = 1.5\nsigma_bulk = 0.2\n";
 
 Grid small_grid() {
@@ -50,34 +52,36 @@ TEST_F(Table, FileHoldsTheDevicesBytes) {
     const Engine engine(device_, Precision::float64, precision);
     const fs::path file = folder_ / fmt::format("{}.h5", name_of(precision));
     GenerateOptions options;
-    options.quiet = true;
     options.polarizations = {Polarization::unpolarized, Polarization::s, Polarization::p};
     // Slabs of a few rows, so that every way of cutting is taken.
     options.slab_bytes = 50 * bytes_of(precision);
-    generate(engine, material, grid, file, create_hdf5_table, options);
+    generate(engine, material, grid, file, create_hdf5_writer, options);
 
-    const Slab whole{{0, grid.theta_i.size()}, {0, grid.phi_i.size()}, {0, grid.theta_s.size()}, grid.phi_s.size()};
+    const Slab whole{
+        {0, grid.theta_i.size()}, {0, grid.phi_i.size()}, {0, grid.theta_s.size()}, grid.phi_s.size()};
     const std::size_t bytes = whole.nodes() * bytes_of(precision);
     const Hdf5Handle read(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), file.string());
     for (std::size_t band = 0; band < 2; ++band) {
       Plan plan(engine, material, material.bands()[band], grid,
-                integrals(engine, material.bands()[band], material.switches(), grid.theta_i.nodes()));
+                integrals(engine, material.bands()[band], material.variant(), grid.theta_i.nodes()));
       for (const Polarization polarization : options.polarizations) {
         const cl::Buffer samples = engine.buffer(bytes);
         plan.tabulate(whole, polarization, samples);
         std::vector<std::byte> expected(bytes);
         engine.queue().enqueueReadBuffer(samples, CL_TRUE, 0, bytes, expected.data());
 
-        const Hdf5Handle dataset(H5Dopen2(read, std::string(brdf_name(polarization)).c_str(), H5P_DEFAULT), "brdf");
+        const Hdf5Handle dataset(H5Dopen2(read, std::string(brdf_name(polarization)).c_str(), H5P_DEFAULT),
+                                 "brdf");
         const Hdf5Handle space(H5Dget_space(dataset), "brdf");
         ASSERT_EQ(H5Sget_simple_extent_ndims(space), 5);
         const hsize_t start[] = {band, 0, 0, 0, 0};
-        const hsize_t count[] = {1, grid.theta_i.size(), grid.phi_i.size(), grid.theta_s.size(), grid.phi_s.size()};
+        const hsize_t count[] = {1, grid.theta_i.size(), grid.phi_i.size(), grid.theta_s.size(),
+                                 grid.phi_s.size()};
         H5Sselect_hyperslab(space, H5S_SELECT_SET, start, nullptr, count, nullptr);
         const Hdf5Handle memory(H5Screate_simple(5, count, nullptr), "brdf");
         std::vector<std::byte> stored(bytes);
-        hdf5_check(H5Dread(dataset, precision == Precision::float64 ? H5T_NATIVE_DOUBLE : H5T_NATIVE_FLOAT, memory, space,
-                           H5P_DEFAULT, stored.data()),
+        hdf5_check(H5Dread(dataset, precision == Precision::float64 ? H5T_NATIVE_DOUBLE : H5T_NATIVE_FLOAT,
+                           memory, space, H5P_DEFAULT, stored.data()),
                    "brdf");
         EXPECT_EQ(std::memcmp(stored.data(), expected.data(), bytes), 0)
             << name_of(precision) << " band " << band << " " << brdf_name(polarization);
@@ -91,8 +95,8 @@ TEST_F(Table, SpotCheckFindsAWrongTable) {
   const Material material = Material::parse(two_bands, "two bands");
   const Engine engine(device_, Precision::float64, Precision::float32);
   GenerateOptions options;
-  options.quiet = true;
-  const auto summary = generate(engine, material, small_grid(), folder_ / "t.h5", create_hdf5_table, options);
+  const auto summary =
+      generate(engine, material, small_grid(), folder_ / "t.h5", create_hdf5_writer, options);
   EXPECT_GT(summary.findings.accuracy.nodes, 50u);
   EXPECT_LE(summary.findings.accuracy.max_relative_error, 1e-6);
   EXPECT_GT(summary.findings.accuracy.max_relative_error, 1e-9) << "float32 cannot be that close";
@@ -103,14 +107,14 @@ TEST_F(Table, RefusesToOverwrite) {
   const Engine engine(device_, Precision::float64, Precision::float32);
   const fs::path file = folder_ / "t.h5";
   GenerateOptions options;
-  options.quiet = true;
-  generate(engine, material, small_grid(), file, create_hdf5_table, options);
+  generate(engine, material, small_grid(), file, create_hdf5_writer, options);
   const auto written = fs::last_write_time(file);
-  EXPECT_THROW(generate(engine, material, small_grid(), file, create_hdf5_table, options), FileError);
+  EXPECT_THROW(generate(engine, material, small_grid(), file, create_hdf5_writer, options), FileError);
   EXPECT_EQ(fs::last_write_time(file), written);
   options.force = true;
-  EXPECT_NO_THROW(generate(engine, material, small_grid(), file, create_hdf5_table, options));
-  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1) << "a partial file was left";
+  EXPECT_NO_THROW(generate(engine, material, small_grid(), file, create_hdf5_writer, options));
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1)
+      << "a partial file was left";
 }
 
 // rho = 1e-4 and V(chi) = exp(-chi^2/w^2) with w = 0.05 leave no width: the centre of the lobe is singular.
@@ -124,13 +128,13 @@ TEST_F(Table, NamesTheNodeThatIsNotFinite) {
   grid.phi_i = Axis::parse(AxisKind::phi_i, "0");
   const Engine engine(device_, Precision::float64, Precision::float32);
   GenerateOptions options;
-  options.quiet = true;
   try {
-    generate(engine, material, grid, folder_ / "t.h5", create_hdf5_table, options);
+    generate(engine, material, grid, folder_ / "t.h5", create_hdf5_writer, options);
     FAIL() << "a singular node was written";
   } catch (const BadInput& error) {
     const std::string message = error.what();
-    EXPECT_NE(message.find("theta_i = 80, theta_s = 80, phi_i = 0, phi_s = 0 degrees"), std::string::npos) << message;
+    EXPECT_NE(message.find("theta_i = 80, theta_s = 80, phi_i = 0, phi_s = 0 degrees"), std::string::npos)
+        << message;
     EXPECT_NE(message.find("rho_surface = 0.45"), std::string::npos) << message;
     EXPECT_NE(message.find("w = 0.05"), std::string::npos) << message;
   }
@@ -143,7 +147,8 @@ TEST(Slabs, CoverTheGridOnceAndInOrder) {
     std::size_t next = 0;
     for (const Slab& slab : slabs(grid, most)) {
       const std::size_t begin =
-          ((slab.theta_i.begin * grid.phi_i.size() + slab.phi_i.begin) * grid.theta_s.size() + slab.theta_s.begin) *
+          ((slab.theta_i.begin * grid.phi_i.size() + slab.phi_i.begin) * grid.theta_s.size() +
+           slab.theta_s.begin) *
           grid.phi_s.size();
       EXPECT_EQ(begin, next) << most;
       EXPECT_LE(slab.nodes(), std::max<std::size_t>(most, grid.phi_s.size()));

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <chrono>
 
-#include "host/base/interrupt.hpp"
-
 namespace brdftab {
 
 double median(std::vector<double> values) {
@@ -15,19 +13,20 @@ double median(std::vector<double> values) {
 
 double Timing::median() const { return brdftab::median(seconds); }
 
-std::vector<Timing> time_in_rounds(const std::vector<Workload>& workloads, int rounds) {
+std::vector<Timing> time_in_rounds(const std::vector<Workload>& workloads, int rounds, const Watch& watch) {
   std::vector<Timing> timings;
   for (const Workload& workload : workloads) {
-    stop_if_interrupted();
+    watch.stop_if_asked();
     workload.run();
     timings.push_back({&workload, {}});
   }
   for (int round = 0; round < rounds; ++round)
     for (Timing& timing : timings) {
-      stop_if_interrupted();
+      watch.stop_if_asked();
       const auto start = std::chrono::steady_clock::now();
       timing.workload->run();
-      timing.seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+      timing.seconds.push_back(
+          std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
     }
   return timings;
 }

@@ -1,9 +1,11 @@
-// Times workloads beside each other: rounds of all of them, so that what else a machine does falls on each alike.
+// Times workloads beside each other: rounds of all of them, so that what else a machine does falls on each
+// alike.
 #pragma once
 
 #include <string>
 #include <vector>
 
+#include "host/base/watch.hpp"
 #include "host/commands/bench/bench_workload.hpp"
 
 namespace brdftab {
@@ -16,7 +18,7 @@ struct Timing {
 };
 
 /// Runs each workload once unmeasured, then once in each round. Stops at an interruption.
-std::vector<Timing> time_in_rounds(const std::vector<Workload>& workloads, int rounds);
+std::vector<Timing> time_in_rounds(const std::vector<Workload>& workloads, int rounds, const Watch& watch);
 
 /// The median over rounds of a's rate of production divided by b's in the same round; by bytes if `by_bytes`.
 double rate_ratio(const Timing& a, const Timing& b, bool by_bytes = false);

@@ -38,7 +38,7 @@ struct DeviceTable {
         grid(nodes),
         slabs(brdftab::slabs(grid, slab_bytes / bytes_of(on.table()))),
         plan(on, material, material.bands().front(), grid,
-             integrals(on, material.bands().front(), material.switches(), grid.theta_i.nodes())) {
+             integrals(on, material.bands().front(), material.variant(), grid.theta_i.nodes())) {
     for (const Slab& slab : slabs) buffers.push_back(engine.buffer(slab.nodes() * bytes_of(engine.table())));
   }
 
@@ -46,7 +46,8 @@ struct DeviceTable {
   double bytes() const { return nodes() * static_cast<double>(bytes_of(engine.table())); }
 
   void tabulate() {
-    for (std::size_t k = 0; k < slabs.size(); ++k) plan.tabulate(slabs[k], Polarization::unpolarized, buffers[k]);
+    for (std::size_t k = 0; k < slabs.size(); ++k)
+      plan.tabulate(slabs[k], Polarization::unpolarized, buffers[k]);
     engine.queue().finish();
   }
 
@@ -63,7 +64,8 @@ struct DeviceTable {
 
 Axis axis(AxisKind kind, double last, std::size_t nodes) {
   std::vector<double> angles(nodes);
-  for (std::size_t k = 0; k < nodes; ++k) angles[k] = last * static_cast<double>(k) / static_cast<double>(nodes - 1);
+  for (std::size_t k = 0; k < nodes; ++k)
+    angles[k] = last * static_cast<double>(k) / static_cast<double>(nodes - 1);
   return Axis(kind, angles);
 }
 
@@ -73,20 +75,24 @@ std::vector<DirectionPair> random_directions(std::size_t count) {
   std::vector<double> incidences(18);
   for (double& theta : incidences) theta = below(85);
   std::vector<DirectionPair> pairs(count);
-  for (std::size_t k = 0; k < count; ++k) pairs[k] = {incidences[k % incidences.size()], below(89), below(360), 0};
+  for (std::size_t k = 0; k < count; ++k)
+    pairs[k] = {incidences[k % incidences.size()], below(89), below(360), 0};
   return pairs;
 }
 
 }  // namespace
 
-std::vector<Workload> device_workloads(const Engine& engine, const Material& material, std::size_t table_bytes) {
+std::vector<Workload> device_workloads(const Engine& engine, const Material& material,
+                                       std::size_t table_bytes) {
   const Band& band = material.bands().front();
-  const ModelSwitches& switches = material.switches();
+  const Variant& variant = material.variant();
   const std::size_t samples = table_bytes / bytes_of(engine.table());
   // theta_i, phi_i, theta_s, phi_s: 18 x 72 x 90 x as many as the size asks for; and as many without phi_i.
-  const Grid four{axis(AxisKind::theta_i, 85, 18), axis(AxisKind::phi_i, 355, 72), axis(AxisKind::theta_s, 89, 90),
+  const Grid four{axis(AxisKind::theta_i, 85, 18), axis(AxisKind::phi_i, 355, 72),
+                  axis(AxisKind::theta_s, 89, 90),
                   axis(AxisKind::phi_s, 360, samples / (18 * 72 * 90) / 360 * 360 + 361)};
-  const Grid three{axis(AxisKind::theta_i, 85, 171), Axis(AxisKind::phi_i, {0}), axis(AxisKind::theta_s, 89.5, 180),
+  const Grid three{axis(AxisKind::theta_i, 85, 171), Axis(AxisKind::phi_i, {0}),
+                   axis(AxisKind::theta_s, 89.5, 180),
                    axis(AxisKind::phi_s, 360, samples / (171 * 180) / 360 * 360 + 361)};
   const auto dense = std::make_shared<DeviceTable>(engine, material, four);
   const auto rows = std::make_shared<DeviceTable>(engine, material, three);
@@ -94,30 +100,33 @@ std::vector<Workload> device_workloads(const Engine& engine, const Material& mat
   const auto pairs = std::make_shared<std::vector<DirectionPair>>(random_directions(listed_directions));
   const auto theta = std::make_shared<std::vector<double>>(91);
   for (std::size_t k = 0; k < theta->size(); ++k) (*theta)[k] = 0.5 * static_cast<double>(k);
-  const auto n = std::make_shared<Normalizations>(normalizations(engine, band, switches, *theta));
+  const auto n = std::make_shared<Normalizations>(normalizations(engine, band, variant, *theta));
 
   return {
-      {"memset", "host memset of the dense table's bytes by all threads", "byte", dense->bytes(), dense->bytes(),
+      {"memset", "host memset of the dense table's bytes by all threads", "byte", dense->bytes(),
+       dense->bytes(),
        [host] {
          on_all_threads([&](std::size_t k, std::size_t count) {
            const std::size_t begin = host->size() * k / count;
            std::memset(host->data() + begin, 1, host->size() * (k + 1) / count - begin);
          });
        }},
-      {"store", "a kernel that stores constants over the dense table's buffers", "sample", dense->nodes(), dense->bytes(),
-       [dense] { dense->store(); }},
-      {"dense", "the factored path on a table of all four angles, in device memory", "sample", dense->nodes(), dense->bytes(),
-       [dense] { dense->tabulate(); }},
-      {"store rows", "a kernel that stores constants over the buffers of dense rows", "sample", rows->nodes(), rows->bytes(),
-       [rows] { rows->store(); }},
-      {"dense rows", "the factored path on a table of one phi_i, where no row repeats", "sample", rows->nodes(), rows->bytes(),
-       [rows] { rows->tabulate(); }},
-      {"direct", "f_s and f_p at a list of random directions of 18 incidences, lists and results in host memory", "direction",
-       static_cast<double>(pairs->size()), 0, [&engine, &band, &switches, pairs] { evaluate(engine, band, switches, *pairs); }},
+      {"store", "a kernel that stores constants over the dense table's buffers", "sample", dense->nodes(),
+       dense->bytes(), [dense] { dense->store(); }},
+      {"dense", "the factored path on a table of all four angles, in device memory", "sample", dense->nodes(),
+       dense->bytes(), [dense] { dense->tabulate(); }},
+      {"store rows", "a kernel that stores constants over the buffers of dense rows", "sample", rows->nodes(),
+       rows->bytes(), [rows] { rows->store(); }},
+      {"dense rows", "the factored path on a table of one phi_i, where no row repeats", "sample",
+       rows->nodes(), rows->bytes(), [rows] { rows->tabulate(); }},
+      {"direct",
+       "f_s and f_p at a list of random directions of 18 incidences, lists and results in host memory",
+       "direction", static_cast<double>(pairs->size()), 0,
+       [&engine, &band, &variant, pairs] { evaluate(engine, band, variant, *pairs); }},
       {"N", "N of three lobes at 91 angles", "value", 3.0 * 91, 0,
-       [&engine, &band, &switches, theta] { normalizations(engine, band, switches, *theta); }},
+       [&engine, &band, &variant, theta] { normalizations(engine, band, variant, *theta); }},
       {"N and DHR", "N and DHR of three lobes at 91 angles", "value", 3.0 * 91, 0,
-       [&engine, &band, &switches, theta] { integrals(engine, band, switches, *theta); }},
+       [&engine, &band, &variant, theta] { integrals(engine, band, variant, *theta); }},
   };
 }
 
@@ -127,7 +136,7 @@ std::vector<Workload> reference_workloads(const Material& material) {
   const auto models = std::make_shared<std::vector<reference::Model>>();
   const auto pairs = std::make_shared<std::vector<DirectionPair>>(random_directions(reference_directions));
   for (std::size_t k = 0; k < std::max(std::thread::hardware_concurrency(), 1u); ++k) {
-    models->emplace_back(band.parameters, material.switches());
+    models->emplace_back(band.parameters, material.variant());
     // N is left out: a model keeps it from here on.
     for (const auto& pair : *pairs) models->back().brdf(pair.theta_i, pair.theta_s, pair.phi);
   }
@@ -136,17 +145,17 @@ std::vector<Workload> reference_workloads(const Material& material) {
       (*models)[k].brdf((*pairs)[j].theta_i, (*pairs)[j].theta_s, (*pairs)[j].phi);
   };
   return {
-      {"reference", "the scalar reference's f_s and f_p at random directions on one thread, N known", "direction",
-       static_cast<double>(pairs->size()), 0, [evaluate_part] { evaluate_part(0, 1); }},
-      {"reference, all threads", "the same on all threads", "direction", static_cast<double>(pairs->size()), 0,
-       [evaluate_part] { on_all_threads(evaluate_part); }},
+      {"reference", "the scalar reference's f_s and f_p at random directions on one thread, N known",
+       "direction", static_cast<double>(pairs->size()), 0, [evaluate_part] { evaluate_part(0, 1); }},
+      {"reference, all threads", "the same on all threads", "direction", static_cast<double>(pairs->size()),
+       0, [evaluate_part] { on_all_threads(evaluate_part); }},
       {"reference N", "the scalar reference's N of three lobes at one angle on one thread", "value", 3, 0,
        [&band, &material] {
-         const reference::Model fresh(band.parameters, material.switches());
+         const reference::Model fresh(band.parameters, material.variant());
          for (const Lobe lobe : {Lobe::surface, Lobe::bulk, Lobe::retro}) fresh.normalization(lobe, 45);
        }},
-      {"reference N and DHR", "the scalar reference's N and DHR of three lobes at one angle on one thread", "value", 3, 0,
-       [&band, &material] { reference::Model(band.parameters, material.switches()).dhr(45); }},
+      {"reference N and DHR", "the scalar reference's N and DHR of three lobes at one angle on one thread",
+       "value", 3, 0, [&band, &material] { reference::Model(band.parameters, material.variant()).dhr(45); }},
   };
 }
 

@@ -21,9 +21,10 @@ struct Workload {
   std::function<void()> run;
 };
 
-/// For one engine: tables of about `table_bytes` on the device, beside a store-only kernel and the host's memset on the
-/// same bytes; lists of directions; N and DHR. The engine and the material must outlive them.
-std::vector<Workload> device_workloads(const Engine& engine, const Material& material, std::size_t table_bytes);
+/// For one engine: tables of about `table_bytes` on the device, beside a store-only kernel and the host's
+/// memset on the same bytes; lists of directions; N and DHR. The engine and the material must outlive them.
+std::vector<Workload> device_workloads(const Engine& engine, const Material& material,
+                                       std::size_t table_bytes);
 
 /// The scalar reference on one thread and on all.
 std::vector<Workload> reference_workloads(const Material& material);

@@ -13,12 +13,14 @@
 namespace brdftab::kernel_f64 {
 using scalar = double;
 #include "kernels/material_constants.h"
+// The second one uses the first.
 #include "kernels/gradient_constants.h"
 }  // namespace brdftab::kernel_f64
 
 namespace brdftab::kernel_f32 {
 using scalar = float;
 #include "kernels/material_constants.h"
+// The second one uses the first.
 #include "kernels/gradient_constants.h"
 }  // namespace brdftab::kernel_f32
 
@@ -30,7 +32,8 @@ static_assert(sizeof(kernel_f64::GradientConstants) == 21 * sizeof(double));
 static_assert(kernel_f64::PARAMETER_COUNT == static_cast<int>(parameter_table.size()));
 static_assert(sizeof(kernel_f64::ModelVariant) == 5 * sizeof(int));
 
-/// Terms that sum x^k/((a+1)...(a+k)) takes to one part in 8/epsilon; its terms fall from the first for x < a + 1.
+/// Terms that sum x^k/((a+1)...(a+k)) takes to one part in 8/epsilon; its terms fall from the first for x < a
+/// + 1.
 inline int series_terms(double a, double x, double epsilon) {
   int k = 0;
   for (double term = 1, sum = 1; term > 0.125 * epsilon * sum; sum += term) term *= x / (a + ++k);
@@ -87,18 +90,19 @@ Constants material_constants(const Parameters& p) {
       .shape = real(a),
       .ln_gamma_scale = real(a * std::log(a) - a - std::lgamma(1 + a)),
       .series_terms = static_cast<Real>(series_terms(shape, std::min(largest_x, change_x), epsilon)),
-      .fraction_terms = static_cast<Real>(largest_x < change_x ? 0 : fraction_terms(shape, change_x, epsilon)),
+      .fraction_terms =
+          static_cast<Real>(largest_x < change_x ? 0 : fraction_terms(shape, change_x, epsilon)),
   };
 }
 
-template <class Variant>
-Variant model_variant(const ModelSwitches& switches) {
+template <class KernelVariant>
+KernelVariant model_variant(const Variant& variant) {
   return {
-      .normalization = static_cast<int>(switches.normalization),
-      .autocovariance = static_cast<int>(switches.autocovariance),
-      .foreshortening = switches.foreshortening,
-      .width_shadowing = switches.width_shadowing,
-      .reflectance_shadowing = static_cast<int>(switches.reflectance_shadowing),
+      .normalization = static_cast<int>(variant.normalization),
+      .autocovariance = static_cast<int>(variant.autocovariance),
+      .foreshortening = variant.foreshortening,
+      .width_shadowing = variant.width_shadowing,
+      .reflectance_shadowing = static_cast<int>(variant.reflectance_shadowing),
   };
 }
 

@@ -1,5 +1,5 @@
-// The kernels' own maths compiled as C++, in double and in float: for what is too little work to compile a kernel for,
-// and for tests, as rungs 1 and 2 of the ladder.
+// The kernels' own maths compiled as C++, in double and in float: for what is too little work to compile a
+// kernel for, and for tests, as rungs 1 and 2 of the ladder.
 #pragma once
 
 #include <array>
@@ -22,8 +22,8 @@ struct Estimate {
   double error;
 };
 
-/// Factors of polar angles: the members of PolarFactors of kernels/model.h in their order, [member][theta], and 1 - E_0 of
-/// Eq. (13).
+/// Factors of polar angles: the members of PolarFactors of kernels/model.h in their order, [member][theta],
+/// and 1 - E_0 of Eq. (13).
 struct PolarTables {
   std::vector<double> factors;
   std::vector<double> incidence_shadowing;
@@ -43,21 +43,23 @@ struct AzimuthTables {
 template <class Real>
 struct Kernels {
   /// f in 1/sr of each pair. N is integrated once for each distinct polar angle.
-  static std::vector<Sample> brdf(const Parameters&, const ModelSwitches&, std::span<const DirectionPair>);
-  static Sample brdf(const Parameters& parameters, const ModelSwitches& switches, double theta_i, double theta_s, double phi) {
+  static std::vector<Sample> brdf(const Parameters&, const Variant&, std::span<const DirectionPair>);
+  static Sample brdf(const Parameters& parameters, const Variant& variant, double theta_i, double theta_s,
+                     double phi) {
     const DirectionPair pair{theta_i, theta_s, phi};
-    return brdf(parameters, switches, {&pair, 1}).front();
+    return brdf(parameters, variant, {&pair, 1}).front();
   }
-  static Estimate normalization(const Parameters&, const ModelSwitches&, Lobe, double theta_i);
+  static Estimate normalization(const Parameters&, const Variant&, Lobe, double theta_i);
   /// DHR of a lobe; the error is of their sum, relative.
-  static Sample dhr(const Parameters&, const ModelSwitches&, Lobe, double theta_i, double* error = nullptr);
+  static Sample dhr(const Parameters&, const Variant&, Lobe, double theta_i, double* error = nullptr);
 
   /// ln f, and its derivatives by the parameters in the order of parameter_table; see LogBrdfGradients.
-  static std::array<double, 15> log_brdf_gradient(const Parameters&, const ModelSwitches&, const DirectionPair&, double share_s);
+  static std::array<double, 15> log_brdf_gradient(const Parameters&, const Variant&, const DirectionPair&,
+                                                  double share_s);
   /// ln N of a lobe, and its derivatives by ln rho, ln w and n.
   static std::array<double, 4> log_normalization_gradient(const Parameters&, Lobe, double theta_i);
 
-  static PolarTables polar_tables(const Parameters&, const ModelSwitches&, std::span<const double> theta);
+  static PolarTables polar_tables(const Parameters&, const Variant&, std::span<const double> theta);
   static AzimuthTables azimuth_tables(std::span<const double> phi);
 };
 

@@ -4,9 +4,9 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "host/compute/opencl/driver_abort.hpp"
 #include "host/base/error.hpp"
 #include "host/base/numbers.hpp"
+#include "host/compute/opencl/driver_abort.hpp"
 #include "host/compute/opencl/pocl_cache.hpp"
 
 namespace brdftab {
@@ -16,11 +16,13 @@ constexpr int platform_not_found = -1001;  // CL_PLATFORM_NOT_FOUND_KHR, of the 
 
 std::string lower(std::string_view text) {
   std::string result(text);
-  std::transform(result.begin(), result.end(), result.begin(), [](unsigned char c) { return std::tolower(c); });
+  std::transform(result.begin(), result.end(), result.begin(),
+                 [](unsigned char c) { return std::tolower(c); });
   return result;
 }
 
-Device describe_device(cl::Device handle, const std::string& platform_name, std::size_t platform, std::size_t ordinal) {
+Device describe_device(cl::Device handle, const std::string& platform_name, std::size_t platform,
+                       std::size_t ordinal) {
   return {.index = 0,
           .platform = platform,
           .ordinal = ordinal,
@@ -38,10 +40,11 @@ Device describe_device(cl::Device handle, const std::string& platform_name, std:
 }
 
 [[noreturn]] void no_device(const std::string& cause) {
-  throw Error(ExitStatus::device,
-              "no OpenCL device: {}; install a driver (Debian: pocl-opencl-icd for the CPU, or the GPU's own), and "
-              "unset OCL_ICD_VENDORS and POCL_DEVICES if they hide it",
-              cause);
+  throw Error(
+      Fault::device,
+      "no OpenCL device: {}; install a driver (Debian: pocl-opencl-icd for the CPU, or the GPU's own), and "
+      "unset OCL_ICD_VENDORS and POCL_DEVICES if they hide it",
+      cause);
 }
 
 constexpr std::string_view all_devices = "all";
@@ -75,11 +78,13 @@ std::vector<Device> list_devices() {
       if (error.err() != CL_DEVICE_NOT_FOUND) throw;
     }
     const std::string name(trimmed(platforms[p].getInfo<CL_PLATFORM_NAME>()));
-    for (std::size_t d = 0; d < handles.size(); ++d) devices.push_back(describe_device(handles[d], name, p, d));
+    for (std::size_t d = 0; d < handles.size(); ++d)
+      devices.push_back(describe_device(handles[d], name, p, d));
   }
   catch_driver_abort();
   if (devices.empty())
-    no_device(fmt::format("platform {} has none", std::string(trimmed(platforms[0].getInfo<CL_PLATFORM_NAME>()))));
+    no_device(
+        fmt::format("platform {} has none", std::string(trimmed(platforms[0].getInfo<CL_PLATFORM_NAME>()))));
   for (std::size_t k = 0; k < devices.size(); ++k) devices[k].index = k;
   return devices;
 }
@@ -96,19 +101,25 @@ std::vector<Device> select_devices(const std::optional<std::string>& selector) {
 Device select_device(const std::optional<std::string>& selector) {
   const auto devices = list_devices();
   const std::string wanted = wanted_device(selector);
-  if (wanted == all_devices) throw Error(ExitStatus::device, "--device all: this command runs on one device; name it");
+  if (wanted == all_devices)
+    throw Error(Fault::device, "--device all: this command runs on one device; name it");
   if (wanted.empty()) {
     const auto gpu = std::find_if(devices.begin(), devices.end(), [](const Device& d) { return d.is_gpu; });
     return gpu != devices.end() ? *gpu : devices.front();
   }
   for (const auto& device : devices)
-    if (wanted == std::to_string(device.index) || wanted == fmt::format("{}:{}", device.platform, device.ordinal)) return device;
+    if (wanted == std::to_string(device.index) ||
+        wanted == fmt::format("{}:{}", device.platform, device.ordinal))
+      return device;
   for (const auto& device : devices)
-    if (lower(device.platform_name + " " + device.name).find(lower(wanted)) != std::string::npos) return device;
+    if (lower(device.platform_name + " " + device.name).find(lower(wanted)) != std::string::npos)
+      return device;
   std::vector<std::string> known;
   for (const auto& device : devices)
-    known.push_back(fmt::format("{} ({}:{}, {})", device.index, device.platform, device.ordinal, device.name));
-  throw Error(ExitStatus::device, "no OpenCL device is called '{}'; there is {}", excerpt(wanted), fmt::join(known, "; "));
+    known.push_back(
+        fmt::format("{} ({}:{}, {})", device.index, device.platform, device.ordinal, device.name));
+  throw Error(Fault::device, "no OpenCL device is called '{}'; there is {}", excerpt(wanted),
+              fmt::join(known, "; "));
 }
 
 std::string describe(const cl::Error& error) {

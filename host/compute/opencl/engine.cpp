@@ -4,9 +4,9 @@
 #include <cstring>
 
 #include "host/base/error.hpp"
+#include "host/base/numbers.hpp"
 #include "host/compute/on_host/kernel_constants.hpp"
 #include "host/compute/opencl/kernel_source.hpp"
-#include "host/base/numbers.hpp"
 #include "host/compute/opencl/pocl_cache.hpp"
 
 namespace brdftab {
@@ -24,20 +24,25 @@ std::vector<std::byte> bytes(const Struct& value) {
 
 }  // namespace
 
-KernelMaterial::KernelMaterial(const Parameters& parameters, const ModelSwitches& switches, Precision working)
-    : constants_(working == Precision::float64 ? bytes(material_constants<kernel_f64::MaterialConstants>(parameters))
-                                               : bytes(material_constants<kernel_f32::MaterialConstants>(parameters))),
-      variant_(bytes(model_variant<kernel_f64::ModelVariant>(switches))) {}
+KernelMaterial::KernelMaterial(const Parameters& parameters, const Variant& variant, Precision working)
+    : constants_(working == Precision::float64
+                     ? bytes(material_constants<kernel_f64::MaterialConstants>(parameters))
+                     : bytes(material_constants<kernel_f32::MaterialConstants>(parameters))),
+      variant_(bytes(model_variant<kernel_f64::ModelVariant>(variant))) {}
 
 void KernelMaterial::set(cl::Kernel& kernel, cl_uint first) const {
   kernel.setArg(first, constants_.size(), constants_.data());
   kernel.setArg(first + 1, variant_.size(), variant_.data());
 }
 
-Engine::Engine(Device device, Precision working, Precision table, std::size_t directions_width)
-    : device_(std::move(device)), working_(working), table_(table), directions_width_(directions_width) {
+Engine::Engine(Device device, Precision working, Precision table, Watch watch, std::size_t directions_width)
+    : device_(std::move(device)),
+      working_(working),
+      table_(table),
+      watch_(std::move(watch)),
+      directions_width_(directions_width) {
   if ((working == Precision::float64 || table == Precision::float64) && !device_.has_fp64)
-    throw Error(ExitStatus::device, "{} has no fp64: it takes --precision float32 only", device_.name);
+    throw Error(Fault::device, "{} has no fp64: it takes --precision float32 only", device_.name);
   build_options_ = fmt::format("-cl-std=CL1.2 -DBRDFTAB_WORKING_DOUBLE={} -DBRDFTAB_TABLE_DOUBLE={}",
                                working == Precision::float64 ? 1 : 0, table == Precision::float64 ? 1 : 0);
   if (device_.handle.getInfo<CL_DEVICE_SINGLE_FP_CONFIG>() & CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT)
@@ -52,27 +57,31 @@ Engine::Engine(Device device, Precision working, Precision table, std::size_t di
 cl::Program Engine::build(const std::string& options) const {
   cl::Program program(context_, std::string(kernel_source));
   try {
-    // Without -w PoCL prints how many vectors are wider than those of the processor, which a user can do nothing about.
+    // Without -w PoCL prints how many vectors are wider than those of the processor, which a user can do
+    // nothing about.
     program.build({device_.handle}, (options + " -w").c_str());
   } catch (const cl::BuildError& error) {
     std::string log;
     for (const auto& [built_for, text] : error.getBuildLog()) log += text;
     if (const auto shortage = pocl_cache_shortage(); !shortage.empty())
-      throw Error(ExitStatus::device, "the kernels do not build on {}: {}", device_.name, shortage);
-    throw Error(ExitStatus::device, "the kernels do not build on {} with {}:\n{}", device_.description(), options, log);
+      throw Error(Fault::device, "the kernels do not build on {}: {}", device_.name, shortage);
+    throw Error(Fault::device, "the kernels do not build on {} with {}:\n{}", device_.description(), options,
+                log);
   }
   return program;
 }
 
 cl::Kernel Engine::directions_kernel(const char* name) const {
   if (!directions_())
-    directions_ = build(fmt::format("{} -DBRDFTAB_DIRECTIONS=1 -DBRDFTAB_WIDTH={}", build_options_, directions_width_));
+    directions_ =
+        build(fmt::format("{} -DBRDFTAB_DIRECTIONS=1 -DBRDFTAB_WIDTH={}", build_options_, directions_width_));
   return cl::Kernel(directions_, name);
 }
 
 cl::Kernel Engine::gradient_kernel(const char* name) const {
   if (!gradients_())
-    gradients_ = build(fmt::format("{} -DBRDFTAB_GRADIENTS=1 -DBRDFTAB_WIDTH={}", build_options_, directions_width_));
+    gradients_ =
+        build(fmt::format("{} -DBRDFTAB_GRADIENTS=1 -DBRDFTAB_WIDTH={}", build_options_, directions_width_));
   return cl::Kernel(gradients_, name);
 }
 
@@ -102,7 +111,8 @@ void Engine::set_number(cl::Kernel& kernel, cl_uint index, Precision precision, 
 void Engine::check_polar_angles(std::span<const double> theta) const {
   for (const double angle : theta)
     if (working_ == Precision::float32 && static_cast<float>(angle) >= 90)
-      throw BadInput("theta = {} degrees is 90 in float32 arithmetic: it must stay below 89.999996", shortest(angle));
+      throw BadInput("theta = {} degrees is 90 in float32 arithmetic: it must stay below 89.999996",
+                     shortest(angle));
 }
 
 cl::Buffer Engine::upload_polar_angles(std::span<const double> theta) const {
@@ -132,7 +142,8 @@ std::vector<int> Engine::download_ints(const cl::Buffer& buffer, std::size_t cou
 void Engine::run(const cl::Kernel& kernel, std::array<std::size_t, 3> size) const {
   const auto [x, y, z] = size;
   const auto allowed = kernel.getWorkGroupInfo<CL_KERNEL_WORK_GROUP_SIZE>(device_.handle);
-  const std::size_t longest = std::min<std::size_t>({device_.largest_work_group, allowed, device_.is_gpu ? 256u : 4096u});
+  const std::size_t longest =
+      std::min<std::size_t>({device_.largest_work_group, allowed, device_.is_gpu ? 256u : 4096u});
   const std::size_t groups = (x + longest - 1) / longest;
   const std::size_t group = (x + groups - 1) / groups;
   const std::size_t even = x / group * group;
@@ -146,7 +157,8 @@ std::size_t Engine::padded_directions(std::size_t count) const {
 }
 
 void Engine::run_directions(const cl::Kernel& kernel, std::size_t padded) const {
-  queue_.enqueueNDRangeKernel(kernel, cl::NullRange, {padded / directions_width_}, {directions_group(device_)});
+  queue_.enqueueNDRangeKernel(kernel, cl::NullRange, {padded / directions_width_},
+                              {directions_group(device_)});
 }
 
 void Engine::run_items(const cl::Kernel& kernel, std::array<std::size_t, 3> size, std::size_t first_x) const {

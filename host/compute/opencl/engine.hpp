@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "host/base/watch.hpp"
 #include "host/compute/opencl/device.hpp"
 #include "host/model/parameters.hpp"
 #include "host/model/precision.hpp"
@@ -15,7 +16,7 @@ namespace brdftab {
 /// A material as kernel arguments, in an engine's working precision.
 class KernelMaterial {
  public:
-  KernelMaterial(const Parameters&, const ModelSwitches&, Precision working);
+  KernelMaterial(const Parameters&, const Variant&, Precision working);
   /// Sets the arguments MaterialConstants and ModelVariant from `first` on.
   void set(cl::Kernel& kernel, cl_uint first) const;
 
@@ -29,12 +30,17 @@ class Engine {
   /// Builds the kernels. Throws Error (exit status 3): a float64 table on a device without fp64, or a failed
   /// build, with its log.
   /// `directions_width`: pairs of directions in a work-item, 1, 2, 4, 8 or 16; 0: what suits the device.
-  Engine(Device device, Precision working, Precision table, std::size_t directions_width = 0);
+  /// Long work over the engine follows `watch`.
+  Engine(Device device, Precision working, Precision table, Watch watch = {},
+         std::size_t directions_width = 0);
 
   /// The working precision that a device allows.
-  static Precision widest(const Device& device) { return device.has_fp64 ? Precision::float64 : Precision::float32; }
+  static Precision widest(const Device& device) {
+    return device.has_fp64 ? Precision::float64 : Precision::float32;
+  }
 
   const Device& device() const { return device_; }
+  const Watch& watch() const { return watch_; }
   Precision working() const { return working_; }
   Precision table() const { return table_; }
   const std::string& build_options() const { return build_options_; }
@@ -69,11 +75,12 @@ class Engine {
   std::vector<double> download(const cl::Buffer& buffer, std::size_t count) const;
   std::vector<int> download_ints(const cl::Buffer& buffer, std::size_t count) const;
 
-  /// Enqueues a range; x is the fastest dimension. Work-groups run along it, as long as the device allows, for PoCL
-  /// vectorises long ones best; where they do not divide x, the last one repeats some of the work of the one before.
+  /// Enqueues a range; x is the fastest dimension. Work-groups run along it, as long as the device allows,
+  /// for PoCL vectorises long ones best; where they do not divide x, the last one repeats some of the work of
+  /// the one before.
   void run(const cl::Kernel& kernel, std::array<std::size_t, 3> size) const;
-  /// A range of few or uneven work-items: on a CPU each is a work-group, so that all cores share them and PoCL, which
-  /// compiles a kernel anew for each size of work-group, does so once.
+  /// A range of few or uneven work-items: on a CPU each is a work-group, so that all cores share them and
+  /// PoCL, which compiles a kernel anew for each size of work-group, does so once.
   void run_items(const cl::Kernel& kernel, std::array<std::size_t, 3> size, std::size_t first_x = 0) const;
 
  private:
@@ -82,6 +89,7 @@ class Engine {
   Device device_;
   Precision working_;
   Precision table_;
+  Watch watch_;
   std::string build_options_;
   cl::Context context_;
   cl::CommandQueue queue_;
@@ -91,7 +99,8 @@ class Engine {
   mutable cl::Program gradients_;   // the same
 };
 
-/// Sets a kernel's arguments in order. A kernel does not keep its buffers: they must live until it is enqueued.
+/// Sets a kernel's arguments in order. A kernel does not keep its buffers: they must live until it is
+/// enqueued.
 template <class... Args>
 void set_arguments(cl::Kernel& kernel, const Args&... arguments) {
   cl_uint index = 0;

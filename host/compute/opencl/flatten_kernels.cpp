@@ -1,5 +1,5 @@
-// Build tool: resolves the kernels' #include "..." into one source string, each file once, #line kept so that a
-// build log names the file and line, and writes it as C++.
+// Build tool: resolves the kernels' #include "..." into one source string, each file once, #line kept so that
+// a build log names the file and line, and writes it as C++.
 //
 // usage: flatten_kernels ROOT.cl OUTPUT.cpp
 #include <filesystem>
@@ -16,7 +16,9 @@ void flatten(const std::filesystem::path& file, std::ostream& out) {
   seen.insert(file);
   std::ifstream in(file);
   if (!in) throw std::runtime_error("cannot read " + file.string());
-  const auto line_mark = [&](int line) { out << "#line " << line << " \"kernels/" << file.filename().string() << "\"\n"; };
+  const auto line_mark = [&](int line) {
+    out << "#line " << line << " \"kernels/" << file.filename().string() << "\"\n";
+  };
   line_mark(1);
   std::string text;
   for (int line = 1; std::getline(in, text); ++line) {
@@ -46,7 +48,8 @@ int main(int argc, char** argv) {
   }
   try {
     std::ofstream out(argv[2]);
-    out << "#include \"host/compute/opencl/kernel_source.hpp\"\n\nnamespace brdftab {\n\nconst char kernel_source[] = R\"KERNELS(";
+    out << "#include \"host/compute/opencl/kernel_source.hpp\"\n\nnamespace brdftab {\n\nconst char "
+           "kernel_source[] = R\"KERNELS(";
     flatten(argv[1], out);
     out << ")KERNELS\";\n\n}  // namespace brdftab\n";
     if (!out.flush()) throw std::runtime_error(std::string("cannot write ") + argv[2]);

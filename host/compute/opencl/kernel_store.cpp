@@ -53,7 +53,8 @@ std::vector<fs::directory_entry> entries(const fs::path& folder) {
     if (status.type() == fs::file_type::directory) it.disable_recursion_pending();
     found.emplace_back(fs::last_write_time(it->path(), ignored), *it);
   }
-  std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::stable_sort(found.begin(), found.end(),
+                   [](const auto& a, const auto& b) { return a.first > b.first; });
   std::vector<fs::directory_entry> sorted;
   for (auto& [time, entry] : found) sorted.push_back(std::move(entry));
   return sorted;
@@ -95,10 +96,12 @@ KernelStore::Damage KernelStore::restore(const fs::path& work) const {
   Damage damage;
   std::error_code ignored;
   const auto reject = [&](const fs::path& file, std::string_view fault) {
-    if (damage.files++ == 0) damage.first = fmt::format("{} {}", file.lexically_relative(folder_).string(), fault);
+    if (damage.files++ == 0)
+      damage.first = fmt::format("{} {}", file.lexically_relative(folder_).string(), fault);
     fs::remove_all(file, ignored);
   };
-  if (fs::exists(fs::symlink_status(folder_, ignored)) && !fs::is_directory(fs::symlink_status(folder_, ignored)))
+  if (fs::exists(fs::symlink_status(folder_, ignored)) &&
+      !fs::is_directory(fs::symlink_status(folder_, ignored)))
     reject(folder_, "is not a folder");
   std::uintmax_t bytes = 0;
   for (const auto& entry : entries(folder_)) {

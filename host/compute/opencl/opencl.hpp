@@ -6,6 +6,7 @@
 #define CL_HPP_MINIMUM_OPENCL_VERSION 120
 #define CL_TARGET_OPENCL_VERSION 120
 #include <CL/opencl.hpp>
+
 #include <string>
 
 namespace brdftab {

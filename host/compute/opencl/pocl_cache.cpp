@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "host/base/error.hpp"
-#include "host/compute/opencl/kernel_store.hpp"
 #include "host/base/run_folder.hpp"
+#include "host/compute/opencl/kernel_store.hpp"
 
 namespace brdftab {
 namespace {
@@ -26,7 +26,8 @@ constexpr unsigned long long room_needed = 64ull << 20;
 
 class PoclCache {
  public:
-  explicit PoclCache(const fs::path& folder) : run_(folder), store_(folder / "kernels"), damage_(store_.restore(run_.path())) {}
+  explicit PoclCache(const fs::path& folder)
+      : run_(folder), store_(folder / "kernels"), damage_(store_.restore(run_.path())) {}
   PoclCache(const PoclCache&) = delete;
   PoclCache& operator=(const PoclCache&) = delete;
   ~PoclCache() {
@@ -48,7 +49,8 @@ fs::path chosen_folder;
 // Empty if there is enough space, otherwise how little.
 std::string shortage(const fs::path& folder) {
   struct statvfs space {};
-  if (statvfs(folder.c_str(), &space) != 0 || static_cast<unsigned long long>(space.f_bavail) * space.f_frsize >= room_needed)
+  if (statvfs(folder.c_str(), &space) != 0 ||
+      static_cast<unsigned long long>(space.f_bavail) * space.f_frsize >= room_needed)
     return {};
   return fmt::format("has less than {} MiB of free space", room_needed >> 20);
 }
@@ -92,7 +94,9 @@ std::vector<fs::path> places() {
 std::unique_ptr<PoclCache> find_cache() {
   if (const char* chosen = std::getenv("POCL_CACHE_DIR"); chosen && *chosen) {
     auto [cache, cause] = cache_in(chosen);
-    if (!cache) throw Error(ExitStatus::device, "POCL_CACHE_DIR={}: {}; set it to a writable folder, or unset it", chosen, cause);
+    if (!cache)
+      throw Error(Fault::device, "POCL_CACHE_DIR={}: {}; set it to a writable folder, or unset it", chosen,
+                  cause);
     return std::move(cache);
   }
   std::string causes;
@@ -101,7 +105,8 @@ std::unique_ptr<PoclCache> find_cache() {
     if (cache) return std::move(cache);
     causes += fmt::format("; {} {}", place.string(), cause);
   }
-  throw Error(ExitStatus::device, "no folder for PoCL's compiled kernels{}; set POCL_CACHE_DIR to a writable folder with space",
+  throw Error(Fault::device,
+              "no folder for PoCL's compiled kernels{}; set POCL_CACHE_DIR to a writable folder with space",
               causes);
 }
 
@@ -110,9 +115,9 @@ std::unique_ptr<PoclCache> open_cache() {
   setenv("POCL_CACHE_DIR", cache->work().c_str(), 1);
   chosen_folder = cache->work().parent_path();
   if (const auto& [files, first] = cache->damage(); files > 0)
-    damage_line =
-        fmt::format("PoCL's cache {} was damaged ({}{}): what is missing is compiled anew", cache->work().parent_path().string(),
-                    first, files == 1 ? "" : fmt::format("; {} files in all", files));
+    damage_line = fmt::format("PoCL's cache {} was damaged ({}{}): what is missing is compiled anew",
+                              cache->work().parent_path().string(), first,
+                              files == 1 ? "" : fmt::format("; {} files in all", files));
   return cache;
 }
 

@@ -17,13 +17,15 @@ constexpr double nearest_log = -3, furthest = 30;
 // A file may have samples at few of its ranges.
 constexpr std::size_t most_tries = 100;
 
-AngleRange within_model(AngleRange range) { return {std::min(range.first, largest_theta), std::min(range.last, largest_theta)}; }
+AngleRange within_model(AngleRange range) {
+  return {std::min(range.first, largest_theta), std::min(range.last, largest_theta)};
+}
 
 double cosine(double degrees) { return std::cos(degrees / degrees_per_radian); }
 
 class Draw {
  public:
-  explicit Draw(const ExportedTable& table)
+  explicit Draw(const ExportReader& table)
       : table_(table),
         theta_i_(within_model(table.theta_i_range())),
         theta_s_(within_model(table.theta_s_range())),
@@ -36,15 +38,19 @@ class Draw {
       const double theta_i = theta(theta_i_), theta_s = theta(theta_s_);
       add_covered(result.uniform, theta_i, theta_s, between(phi_.first, phi_.last));
     }
-    const double covered = tries > 0 ? static_cast<double>(result.uniform.size()) / static_cast<double>(tries) : 0;
+    const double covered =
+        tries > 0 ? static_cast<double>(result.uniform.size()) / static_cast<double>(tries) : 0;
     result.share = covered * solid_angle(theta_i_) * solid_angle(theta_s_) * (phi_.last - phi_.first) / 360;
-    for (tries = 0; result.near_mirror.size() + result.near_retro.size() < count && tries < most_tries * count; ++tries)
+    for (tries = 0;
+         result.near_mirror.size() + result.near_retro.size() < count && tries < most_tries * count; ++tries)
       tries % 2 ? add_near(result.near_retro, 180) : add_near(result.near_mirror, 0);
     return result;
   }
 
  private:
-  double between(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
+  double between(double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random_);
+  }
   double theta(AngleRange range) {
     if (range.first == range.last) return range.first;
     return std::acos(between(cosine(range.last), cosine(range.first))) * degrees_per_radian;
@@ -71,18 +77,22 @@ class Draw {
     const double theta_i = theta({theta_i_.first, last});
     const double distance = std::pow(10, between(nearest_log, std::log10(furthest)));
     const SurfaceVector drawn = about_specular(theta_i, distance, between(-180, 180));
-    const double theta_s = std::clamp(drawn.theta(), theta_s_.first, theta_s_.last), azimuth = nearest_phi(drawn.phi() + phi);
-    const double to_peak = SurfaceVector::from_degrees(theta_i, phi).dot(SurfaceVector::from_degrees(theta_s, azimuth));
+    const double theta_s = std::clamp(drawn.theta(), theta_s_.first, theta_s_.last),
+                 azimuth = nearest_phi(drawn.phi() + phi);
+    const double to_peak =
+        SurfaceVector::from_degrees(theta_i, phi).dot(SurfaceVector::from_degrees(theta_s, azimuth));
     if (to_peak > cosine(furthest)) add_covered(directions, theta_i, theta_s, azimuth);
   }
 
-  const ExportedTable& table_;
+  const ExportReader& table_;
   AngleRange theta_i_, theta_s_, phi_;
   std::mt19937_64 random_{20'080'818};
 };
 
 }  // namespace
 
-ExportDirections export_directions(const ExportedTable& table, std::size_t count) { return Draw(table).all(count); }
+ExportDirections export_directions(const ExportReader& table, std::size_t count) {
+  return Draw(table).all(count);
+}
 
 }  // namespace brdftab

@@ -9,15 +9,16 @@ namespace brdftab {
 struct ExportDirections {
   /// Uniform in the solid angle of both directions.
   Directions uniform;
-  /// Within 0.001 to 30 degrees of the mirror direction, and of the retro-reflected one, uniform in the distance's logarithm and
-  /// moved to where the file has samples. Few or none where it has none so near.
+  /// Within 0.001 to 30 degrees of the mirror direction, and of the retro-reflected one, uniform in the
+  /// distance's logarithm and moved to where the file has samples. Few or none where it has none so near.
   Directions near_mirror, near_retro;
-  /// Ranges they are drawn from, degrees; and their share of all pairs of directions above the surface, by solid angle.
+  /// Ranges they are drawn from, degrees; and their share of all pairs of directions above the surface, by
+  /// solid angle.
   AngleRange theta_i, theta_s, phi;
   double share = 0;
 };
 
 /// `count` of them uniform, and as many about both peaks together.
-ExportDirections export_directions(const ExportedTable& table, std::size_t count);
+ExportDirections export_directions(const ExportReader& table, std::size_t count);
 
 }  // namespace brdftab

@@ -13,9 +13,10 @@ namespace {
 
 using Channels = std::vector<std::vector<double>>;
 
-ReadValues read_values(const ExportedTable& table, const ExportSource& source, const Directions& directions) {
+ReadValues read_values(const ExportReader& table, const ExportModel& source, const Directions& directions) {
   ReadValues result{directions, table.evaluate(directions), {}};
-  if (directions.size() > 0) result.model = in_channels(table.channels(), source, source.evaluate(directions));
+  if (directions.size() > 0)
+    result.model = in_channels(table.channels(), source, source.evaluate(directions));
   if (directions.size() > 0) check_channels(result.read.size(), result.model.size());
   return result;
 }
@@ -27,7 +28,8 @@ ConsumerError compare(const std::vector<const ReadValues*>& kinds) {
   for (const ReadValues* kind : kinds)
     for (std::size_t c = 0; c < kind->model.size(); ++c)
       for (std::size_t k = 0; k < kind->directions.size(); ++k) {
-        const double model = kind->model[c][k], difference = std::abs(kind->read[c][k] - model) / std::max(model, error_floor);
+        const double model = kind->model[c][k],
+                     difference = std::abs(kind->read[c][k] - model) / std::max(model, error_floor);
         const double error = std::isnan(difference) ? INFINITY : difference;
         errors.push_back(error);
         if (!(error > result.maximum)) continue;
@@ -58,25 +60,30 @@ std::pair<double, double> spread(const Channels& a, const Channels& b, Of of) {
 }
 
 std::string text(const ConsumerError& error) {
-  return fmt::format("{:.2g} % in the median, {:.2g} % at 95 %, {:.3g} % at most (theta_i {:.4g}, theta_s {:.4g}, phi {:.4g})",
-                     100 * error.median, 100 * error.percentile_95, 100 * error.maximum, error.theta_i, error.theta_s, error.phi);
+  return fmt::format(
+      "{:.2g} % in the median, {:.2g} % at 95 %, {:.3g} % at most (theta_i {:.4g}, theta_s {:.4g}, phi "
+      "{:.4g})",
+      100 * error.median, 100 * error.percentile_95, 100 * error.maximum, error.theta_i, error.theta_s,
+      error.phi);
 }
 
 }  // namespace
 
 double portion(std::vector<double>& values, double share) {
   if (values.empty()) return 0;
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  const auto at =
+      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), at, values.end());
   return *at;
 }
 
-ReadExport read_export(const ExportedTable& table, const ExportSource& source, const ExportDirections& directions) {
+ReadExport read_export(const ExportReader& table, const ExportModel& source,
+                       const ExportDirections& directions) {
   return {read_values(table, source, directions.uniform), read_values(table, source, directions.near_mirror),
           read_values(table, source, directions.near_retro)};
 }
 
-ExportErrors export_errors(const ReadExport& read, const ExportSource& source) {
+ExportErrors export_errors(const ReadExport& read, const ExportModel& source) {
   ExportErrors result;
   result.uniform = compare({&read.uniform});
   result.near_peaks = compare({&read.near_mirror, &read.near_retro});
@@ -91,15 +98,17 @@ ExportErrors export_errors(const ReadExport& read, const ExportSource& source) {
   return result;
 }
 
-std::string summary(const ExportErrors& errors, const ExportFormat& format, const ExportedTable& table) {
-  std::string line = fmt::format("read by {}, f is off by {} at {} random values; near the mirror and retro directions by {}",
-                                 table.interpolation(), text(errors.uniform), errors.uniform.values, text(errors.near_peaks));
+std::string summary(const ExportErrors& errors, const ExportFormat& format, const ExportReader& table) {
+  std::string line = fmt::format(
+      "read by {}, f is off by {} at {} random values; near the mirror and retro directions by {}",
+      table.interpolation(), text(errors.uniform), errors.uniform.values, text(errors.near_peaks));
   if (!format.traits().holds_non_reciprocal)
-    line += fmt::format("; not held: |ln f(i,s)/f(s,i)|, {:.2g} in the median, {:.2g} at most", errors.reciprocity_median,
-                        errors.reciprocity_maximum);
+    line += fmt::format("; not held: |ln f(i,s)/f(s,i)|, {:.2g} in the median, {:.2g} at most",
+                        errors.reciprocity_median, errors.reciprocity_maximum);
   if (!format.traits().holds_polarization)
-    line += fmt::format("; not held: polarisation, |f_s - f_p|/(f_s + f_p) {:.2g} in the median, {:.2g} at most",
-                        errors.polarization_median, errors.polarization_maximum);
+    line +=
+        fmt::format("; not held: polarisation, |f_s - f_p|/(f_s + f_p) {:.2g} in the median, {:.2g} at most",
+                    errors.polarization_median, errors.polarization_maximum);
   return line;
 }
 

@@ -1,5 +1,5 @@
-// What a consumer gets from a simulator's file, against the model: the error of its own interpolation at random directions,
-// and what the format cannot hold, in numbers.
+// What a consumer gets from a simulator's file, against the model: the error of its own interpolation at
+// random directions, and what the format cannot hold, in numbers.
 #pragma once
 
 #include <string>
@@ -22,7 +22,8 @@ struct ReadExport {
 };
 
 /// Throws BadInput where the table's channels are not the source's.
-ReadExport read_export(const ExportedTable& table, const ExportSource& source, const ExportDirections& directions);
+ReadExport read_export(const ExportReader& table, const ExportModel& source,
+                       const ExportDirections& directions);
 
 /// |f_consumer - f| / max(f, error_floor) over directions and channels.
 struct ConsumerError {
@@ -43,11 +44,11 @@ struct ExportErrors {
   /// Within 0.001 to 30 degrees of the mirror direction and of the retro-reflected one.
   ConsumerError near_peaks;
   /// Of the model, at the uniform directions.
-  double reciprocity_median = 0, reciprocity_maximum = 0;    // |ln f(i, s)/f(s, i)|, each at least error_floor
+  double reciprocity_median = 0, reciprocity_maximum = 0;  // |ln f(i, s)/f(s, i)|, each at least error_floor
   double polarization_median = 0, polarization_maximum = 0;  // |f_s - f_p| / (f_s + f_p)
 };
 
-ExportErrors export_errors(const ReadExport& read, const ExportSource& source);
+ExportErrors export_errors(const ReadExport& read, const ExportModel& source);
 
 /// The value that a share, 0 to 1, of the values does not exceed; 0 of none. Reorders them.
 double portion(std::vector<double>& values, double share);
@@ -56,6 +57,6 @@ double portion(std::vector<double>& values, double share);
 inline constexpr std::size_t default_directions = 10'000;
 
 /// The same in one line, with what the format loses.
-std::string summary(const ExportErrors& errors, const ExportFormat& format, const ExportedTable& table);
+std::string summary(const ExportErrors& errors, const ExportFormat& format, const ExportReader& table);
 
 }  // namespace brdftab

@@ -16,16 +16,19 @@ constexpr std::string_view illuminant_mark = "illuminant:";
 
 }  // namespace
 
-std::vector<std::string> description_lines(const ExportSource& source, ExportChannels channels) {
+std::vector<std::string> description_lines(const ExportModel& source, ExportChannels channels) {
   std::vector<std::string> lines;
-  lines.push_back(fmt::format("BRDF of {}: f in 1/sr, not weighted by a cosine, unpolarised", excerpt(source.material().name())));
-  lines.push_back(fmt::format("{}; {}", program_source, paper_reference));
+  lines.push_back(fmt::format("BRDF of {}: f in 1/sr, not weighted by a cosine, unpolarised",
+                              excerpt(source.material().name())));
+  lines.push_back(fmt::format("{}; {}", program_version, paper_reference));
   lines.push_back(source.history());
   if (channels == ExportChannels::rgb) lines.emplace_back(rgb_convention(source.illuminant()));
   if (channels == ExportChannels::xyz)
     lines.emplace_back(
-        "X, Y, Z of the CIE 1931 2-degree observer, each relative to the white's; f linear between bands, constant beyond");
-  if (channels != ExportChannels::bands) lines.push_back(fmt::format("{} {}", illuminant_mark, name_of(source.illuminant())));
+        "X, Y, Z of the CIE 1931 2-degree observer, each relative to the white's; f linear between bands, "
+        "constant beyond");
+  if (channels != ExportChannels::bands)
+    lines.push_back(fmt::format("{} {}", illuminant_mark, name_of(source.illuminant())));
   if (const auto wavelengths = source.wavelengths_nm(); !wavelengths.empty()) {
     std::string line(wavelengths_mark);
     for (const double wavelength : wavelengths) line += " " + shortest(wavelength);
@@ -57,8 +60,9 @@ void Description::read(std::string_view line) {
       rest.remove_prefix(end);
     }
   } else if (content.starts_with(illuminant_mark)) {
-    illuminant =
-        trimmed(content.substr(illuminant_mark.size())) == name_of(Illuminant::d65) ? Illuminant::d65 : Illuminant::equal_energy;
+    illuminant = trimmed(content.substr(illuminant_mark.size())) == name_of(Illuminant::d65)
+                     ? Illuminant::d65
+                     : Illuminant::equal_energy;
   }
 }
 

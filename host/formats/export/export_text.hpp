@@ -9,9 +9,9 @@
 
 namespace brdftab {
 
-/// Lines without the mark of a comment: what the values are, program, paper, time and command line, the channels, and the
-/// material's text, each of its lines after "| ".
-std::vector<std::string> description_lines(const ExportSource& source, ExportChannels channels);
+/// Lines without the mark of a comment: what the values are, program, paper, time and command line, the
+/// channels, and the material's text, each of its lines after "| ".
+std::vector<std::string> description_lines(const ExportModel& source, ExportChannels channels);
 
 /// The same read back, line by line; lines of others are ignored.
 struct Description {

@@ -26,7 +26,8 @@ struct Region {
   std::vector<std::size_t> members;
 };
 
-std::array<double, 3> statistics(const Region& region, const std::vector<double>& read, const std::vector<double>& model) {
+std::array<double, 3> statistics(const Region& region, const std::vector<double>& read,
+                                 const std::vector<double>& model) {
   std::vector<double> errors;
   double difference = 0, sum = 0;
   for (const std::size_t k : region.members) {
@@ -39,7 +40,8 @@ std::array<double, 3> statistics(const Region& region, const std::vector<double>
   return {portion(errors, 0.5), portion(errors, 0.95), std::isnan(share) ? INFINITY : share};
 }
 
-// Where the format's errors are large, f read is up to 1 + reached times f, and values off by the tolerance move it by as much.
+// Where the format's errors are large, f read is up to 1 + reached times f, and values off by the tolerance
+// move it by as much.
 double beyond(double reached, double tolerance) { return tolerance * (1 + std::abs(reached)); }
 
 // The mean may lie between 0 and what the format reaches, and beyond either by the tolerance.
@@ -56,10 +58,13 @@ void add_band_regions(std::vector<Region>& regions, const ReadValues& values, co
     regions.push_back(std::move(region));
   };
   all("all directions", [](std::size_t) { return true; });
-  for (const auto& [angle, theta] : {std::pair{"theta_i", &values.directions.theta_i}, {"theta_s", &values.directions.theta_s}})
+  for (const auto& [angle, theta] :
+       {std::pair{"theta_i", &values.directions.theta_i}, {"theta_s", &values.directions.theta_s}})
     for (std::size_t band = 0; band + 1 < theta_bounds.size(); ++band)
       all(fmt::format("{} {} to {} degrees", angle, theta_bounds[band], theta_bounds[band + 1]),
-          [&](std::size_t k) { return (*theta)[k] >= theta_bounds[band] && (*theta)[k] < theta_bounds[band + 1]; });
+          [&](std::size_t k) {
+            return (*theta)[k] >= theta_bounds[band] && (*theta)[k] < theta_bounds[band + 1];
+          });
 }
 
 Region whole(std::string name, const ReadValues& values, const Channels& rebuilt) {
@@ -68,12 +73,13 @@ Region whole(std::string name, const ReadValues& values, const Channels& rebuilt
   return region;
 }
 
-void check_wavelengths(const ExportedTable& table, const ExportSource& source) {
+void check_wavelengths(const ExportReader& table, const ExportModel& source) {
   const auto file = table.wavelengths_nm(), material = source.wavelengths_nm();
   if (table.channels() != ExportChannels::bands || file.empty() || material.empty()) return;
   const auto same = [](double a, double b) { return std::abs(a - b) <= 1e-6 * b; };
   if (!std::equal(file.begin(), file.end(), material.begin(), material.end(), same))
-    throw BadInput("the file's bands are {} nm, and its material's {} nm", fmt::join(file, ", "), fmt::join(material, ", "));
+    throw BadInput("the file's bands are {} nm, and its material's {} nm", fmt::join(file, ", "),
+                   fmt::join(material, ", "));
 }
 
 std::string percent(double share) { return fmt::format("{:.3g} %", 100 * share); }
@@ -84,7 +90,8 @@ double RegionStatistic::excess() const { return allowed < 0 ? allowed - file : f
 
 std::size_t RegionErrors::worst() const {
   const auto less = [](const auto& a, const auto& b) { return a.excess() < b.excess(); };
-  return static_cast<std::size_t>(std::max_element(statistics.begin(), statistics.end(), less) - statistics.begin());
+  return static_cast<std::size_t>(std::max_element(statistics.begin(), statistics.end(), less) -
+                                  statistics.begin());
 }
 
 bool ExportVerdict::good() const {
@@ -103,22 +110,24 @@ std::string ExportVerdict::fault() const {
   if (worst != regions.end() && worst->statistics[worst->worst()].excess() > 0) {
     const std::size_t k = worst->worst();
     const RegionStatistic& statistic = worst->statistics[k];
-    text = fmt::format("{}{}: f read is off by {} of f in the {}; the format reaches {}, allowed is {}", worst->name,
-                       worst->channel == "f" ? "" : fmt::format(" in {}", worst->channel), percent(statistic.file),
-                       k == percentile_95 ? "95th percentile" : statistic_names[k], percent(statistic.reached),
-                       percent(statistic.allowed));
+    text = fmt::format("{}{}: f read is off by {} of f in the {}; the format reaches {}, allowed is {}",
+                       worst->name, worst->channel == "f" ? "" : fmt::format(" in {}", worst->channel),
+                       percent(statistic.file), k == percentile_95 ? "95th percentile" : statistic_names[k],
+                       percent(statistic.reached), percent(statistic.allowed));
   }
   if (values.wrong() > 0)
-    text += fmt::format("{}{} of {} values are off by more than {} of f, most of all {}: {:.6g}, right is {:.6g}",
-                        text.empty() ? "" : "; ", values.wrong(), values.values(), percent(tolerance), values.place(),
-                        values.held(), values.right());
+    text +=
+        fmt::format("{}{} of {} values are off by more than {} of f, most of all {}: {:.6g}, right is {:.6g}",
+                    text.empty() ? "" : "; ", values.wrong(), values.values(), percent(tolerance),
+                    values.place(), values.held(), values.right());
   return text;
 }
 
 std::vector<RegionErrors> ExportVerdict::worst_channels() const {
   std::vector<RegionErrors> result;
   for (const RegionErrors& region : regions) {
-    const auto same = std::find_if(result.begin(), result.end(), [&](const auto& r) { return r.name == region.name; });
+    const auto same =
+        std::find_if(result.begin(), result.end(), [&](const auto& r) { return r.name == region.name; });
     if (same == result.end())
       result.push_back(region);
     else if (region.statistics[region.worst()].excess() > same->statistics[same->worst()].excess())
@@ -127,11 +136,13 @@ std::vector<RegionErrors> ExportVerdict::worst_channels() const {
   return result;
 }
 
-ExportVerdict export_verdict(const ExportedTable& table, const ExportSource& source, const ReadExport& read, double tolerance) {
+ExportVerdict export_verdict(const ExportReader& table, const ExportModel& source, const ReadExport& read,
+                             double tolerance) {
   check_wavelengths(table, source);
   ExportVerdict verdict{.tolerance = tolerance, .regions = {}, .values = ValueErrors(tolerance)};
   const auto right = table.rebuilt(source, verdict.values);
-  const std::array<Channels, 3> rebuilt{right->evaluate(read.uniform.directions), right->evaluate(read.near_mirror.directions),
+  const std::array<Channels, 3> rebuilt{right->evaluate(read.uniform.directions),
+                                        right->evaluate(read.near_mirror.directions),
                                         right->evaluate(read.near_retro.directions)};
   std::vector<Region> regions;
   add_band_regions(regions, read.uniform, rebuilt[0]);
@@ -146,7 +157,8 @@ ExportVerdict export_verdict(const ExportedTable& table, const ExportSource& sou
       RegionErrors errors{region.name, channel_name(table.channels(), source, c), region.members.size(), {}};
       for (const std::size_t k : {median, percentile_95})
         errors.statistics[k] = {file[k], reached[k], reached[k] + beyond(reached[k], tolerance)};
-      errors.statistics[mean] = {file[mean], reached[mean], allowed_mean(file[mean], reached[mean], tolerance)};
+      errors.statistics[mean] = {file[mean], reached[mean],
+                                 allowed_mean(file[mean], reached[mean], tolerance)};
       verdict.regions.push_back(std::move(errors));
     }
   }

@@ -1,7 +1,8 @@
 // Whether a simulator's file is as good as its format at its resolution can be for its material.
 //
-// What the format reaches is measured: the file is rebuilt with its own nodes or cells, digits and conventions, but the model's
-// values, and both are read at the same directions by the interpolation of the file's consumer.
+// What the format reaches is measured: the file is rebuilt with its own nodes or cells, digits and
+// conventions, but the model's values, and both are read at the same directions by the interpolation of the
+// file's consumer.
 #pragma once
 
 #include <array>
@@ -13,18 +14,19 @@
 
 namespace brdftab {
 
-/// The share of f by which a file may be off beyond what its format reaches at its resolution: in the median, at 95 % of
-/// directions and in the mean of each region, and in each value.
+/// The share of f by which a file may be off beyond what its format reaches at its resolution: in the median,
+/// at 95 % of directions and in the mean of each region, and in each value.
 ///
-/// Formats hold seven digits or more, or as many as the file shows, and f is computed to 1e-11 of it, in float32 arithmetic to
-/// 1e-5: what is right stays within a hundredth of this.
+/// Formats hold seven digits or more, or as many as the file shows, and f is computed to 1e-11 of it, in
+/// float32 arithmetic to 1e-5: what is right stays within a hundredth of this.
 inline constexpr double default_export_tolerance = 1e-3;
 
 /// What is judged in a region, in the order of RegionErrors::statistics.
 inline constexpr std::array<std::string_view, 3> statistic_names{"median", "95 %", "mean"};
 
-/// Median and 95th percentile are of |f read - f| / max(f, error_floor). The mean is signed: the sum of f read - f over the
-/// region's directions for the sum of max(f, error_floor); of directions uniform in solid angle, without a cosine.
+/// Median and 95th percentile are of |f read - f| / max(f, error_floor). The mean is signed: the sum of f
+/// read - f over the region's directions for the sum of max(f, error_floor); of directions uniform in solid
+/// angle, without a cosine.
 struct RegionStatistic {
   double file = 0;
   double reached = 0;  // by the rebuilt file
@@ -56,6 +58,7 @@ struct ExportVerdict {
 };
 
 /// Throws BadInput where the file's channels or wavelengths are not the source's.
-ExportVerdict export_verdict(const ExportedTable& table, const ExportSource& source, const ReadExport& read, double tolerance);
+ExportVerdict export_verdict(const ExportReader& table, const ExportModel& source, const ReadExport& read,
+                             double tolerance);
 
 }  // namespace brdftab

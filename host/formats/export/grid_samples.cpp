@@ -24,7 +24,8 @@ Place place_in(const std::vector<double>& axis, double x) {
   return {high - 1, high, (x - axis[high - 1]) / (axis[high] - axis[high - 1])};
 }
 
-// phi_s, wrapped into a turn from the first node on; across the gap, if there is one, from the last node to the first.
+// phi_s, wrapped into a turn from the first node on; across the gap, if there is one, from the last node to
+// the first.
 Place azimuth_place(const std::vector<double>& axis, double phi_i, double phi) {
   const auto wrapped = [&](double x) { return x - 360 * std::floor((x - axis.front()) / 360); };
   double x = wrapped(phi_i + phi);
@@ -38,7 +39,8 @@ Place azimuth_place(const std::vector<double>& axis, double phi_i, double phi) {
 
 Directions directions_of(const Grid& grid) {
   Directions directions;
-  for (auto* angles : {&directions.theta_i, &directions.theta_s, &directions.phi}) angles->reserve(grid.directions());
+  for (auto* angles : {&directions.theta_i, &directions.theta_s, &directions.phi})
+    angles->reserve(grid.directions());
   for (const double theta_i : grid.theta_i.nodes())
     for (const double phi_i : grid.phi_i.nodes())
       for (const double theta_s : grid.theta_s.nodes())
@@ -48,8 +50,9 @@ Directions directions_of(const Grid& grid) {
 
 std::vector<double> azimuths_away_from_surface(const Grid& grid) {
   if (grid.phi_i.size() > 1)
-    throw BadInput("phi_i has {} nodes: f depends on phi_s - phi_i only, and the file holds that; it takes one phi_i",
-                   grid.phi_i.size());
+    throw BadInput(
+        "phi_i has {} nodes: f depends on phi_s - phi_i only, and the file holds that; it takes one phi_i",
+        grid.phi_i.size());
   std::set<double> azimuths{0, 360};
   for (const double phi_s : grid.phi_s.nodes()) {
     const double phi = std::fmod(phi_s - incident_azimuth(grid.phi_i[0]), 360);
@@ -65,13 +68,14 @@ GridSamples::GridSamples(Axes axes, std::vector<std::vector<double>> values, con
     const auto& axis = axes_[static_cast<std::size_t>(row.kind)];
     nodes *= axis.size();
     // Written so that a nan is refused too.
-    const bool increases =
-        std::adjacent_find(axis.begin(), axis.end(), [](double a, double b) { return !(a < b); }) == axis.end();
+    const bool increases = std::adjacent_find(axis.begin(), axis.end(),
+                                              [](double a, double b) { return !(a < b); }) == axis.end();
     if (axis.empty() || !std::isfinite(axis.front()) || !std::isfinite(axis.back()) || !increases)
       throw BadInput("{}: {}: its angles must be finite and increase strictly", source, row.name);
   }
   for (const auto& channel : values_)
-    if (channel.size() != nodes) throw BadInput("{}: has {} samples where its axes have {} nodes", source, channel.size(), nodes);
+    if (channel.size() != nodes)
+      throw BadInput("{}: has {} samples where its axes have {} nodes", source, channel.size(), nodes);
 }
 
 GridSamples GridSamples::with_values(std::vector<std::vector<double>> values) const {
@@ -92,7 +96,8 @@ Directions GridSamples::directions() const {
 AngleRange GridSamples::phi_range() const {
   constexpr double rounding = 1e-6;
   const auto& phi = axis(AxisKind::phi_s);
-  const double first = phi.front() - axis(AxisKind::phi_i).front(), turn = phi.back() - phi.front(), gap = 360 - turn;
+  const double first = phi.front() - axis(AxisKind::phi_i).front(), turn = phi.back() - phi.front(),
+               gap = 360 - turn;
   double widest = 0;
   for (std::size_t k = 1; k < phi.size(); ++k) widest = std::max(widest, phi[k] - phi[k - 1]);
   const bool goes_round = gap < 180 - rounding && gap <= 2 * widest + rounding;
@@ -100,7 +105,8 @@ AngleRange GridSamples::phi_range() const {
   return goes_round || is_half ? AngleRange{-180, 180} : AngleRange{first, first + turn};
 }
 
-GridSamples GridSamples::from_rows(const std::vector<std::vector<double>>& columns, const std::string& source) {
+GridSamples GridSamples::from_rows(const std::vector<std::vector<double>>& columns,
+                                   const std::string& source) {
   const std::size_t rows = columns.front().size();
   Axes axes;
   std::size_t nodes = 1;
@@ -111,17 +117,18 @@ GridSamples GridSamples::from_rows(const std::vector<std::vector<double>>& colum
     nodes *= axes[k].size();
   }
   if (rows == 0 || nodes != rows)
-    throw BadInput("{}: has {} rows, which are not every node of a grid of {} x {} x {} x {} angles once", source, rows,
-                   axes[0].size(), axes[1].size(), axes[2].size(), axes[3].size());
+    throw BadInput("{}: has {} rows, which are not every node of a grid of {} x {} x {} x {} angles once",
+                   source, rows, axes[0].size(), axes[1].size(), axes[2].size(), axes[3].size());
   std::vector<std::vector<double>> values(columns.size() - 4, std::vector<double>(rows, NAN));
   for (std::size_t row = 0; row < rows; ++row) {
     std::size_t node = 0;
     for (std::size_t k = 0; k < 4; ++k)
       node = node * axes[k].size() +
-             static_cast<std::size_t>(std::lower_bound(axes[k].begin(), axes[k].end(), columns[k][row]) - axes[k].begin());
+             static_cast<std::size_t>(std::lower_bound(axes[k].begin(), axes[k].end(), columns[k][row]) -
+                                      axes[k].begin());
     if (!std::isnan(values[0][node]))
-      throw BadInput("{}: has the directions theta_i = {}, phi_i = {}, theta_s = {}, phi_s = {} twice", source, columns[0][row],
-                     columns[1][row], columns[2][row], columns[3][row]);
+      throw BadInput("{}: has the directions theta_i = {}, phi_i = {}, theta_s = {}, phi_s = {} twice",
+                     source, columns[0][row], columns[1][row], columns[2][row], columns[3][row]);
     for (std::size_t c = 0; c < values.size(); ++c) values[c][node] = columns[4 + c][row];
   }
   return {std::move(axes), std::move(values), source};
@@ -130,7 +137,8 @@ GridSamples GridSamples::from_rows(const std::vector<std::vector<double>>& colum
 std::vector<std::vector<double>> GridSamples::evaluate(const Directions& directions) const {
   std::vector<std::vector<double>> f(values_.size(), std::vector<double>(directions.size()));
   for (std::size_t k = 0; k < directions.size(); ++k) {
-    const std::array places{place_in(axes_[0], directions.theta_i[k]), Place{0, 0, 0}, place_in(axes_[2], directions.theta_s[k]),
+    const std::array places{place_in(axes_[0], directions.theta_i[k]), Place{0, 0, 0},
+                            place_in(axes_[2], directions.theta_s[k]),
                             azimuth_place(axes_[3], axes_[1].front(), directions.phi[k])};
     for (unsigned corner = 0; corner < 16; ++corner) {
       double weight = 1;

@@ -5,28 +5,30 @@
 #include <string>
 #include <vector>
 
-#include "host/model/axis.hpp"
 #include "host/compute/sampled_model.hpp"
+#include "host/model/axis.hpp"
 
 namespace brdftab {
 
 /// Every node of a grid as a pair of directions, [theta_i][phi_i][theta_s][phi_s].
 Directions directions_of(const Grid& grid);
 
-/// phi_s - phi_i between vectors that point away from the surface, of a grid with one phi_i: from 0 to 360 degrees, both
-/// included, with 180 the specular direction. Throws BadInput where there are several phi_i: f depends on the difference only.
+/// phi_s - phi_i between vectors that point away from the surface, of a grid with one phi_i: from 0 to 360
+/// degrees, both included, with 180 the specular direction. Throws BadInput where there are several phi_i: f
+/// depends on the difference only.
 std::vector<double> azimuths_away_from_surface(const Grid& grid);
 
 class GridSamples {
  public:
   using Axes = std::array<std::vector<double>, 4>;
 
-  /// Axes in degrees, with the model's azimuths; `values` [channel][theta_i][phi_i][theta_s][phi_s]. Throws BadInput with
-  /// `source` where an axis does not increase or the sizes do not agree.
+  /// Axes in degrees, with the model's azimuths; `values` [channel][theta_i][phi_i][theta_s][phi_s]. Throws
+  /// BadInput with `source` where an axis does not increase or the sizes do not agree.
   GridSamples(Axes axes, std::vector<std::vector<double>> values, const std::string& source);
 
-  /// From a list of samples in any order: theta_i, phi_i, theta_s, phi_s and the channels' values in each row of
-  /// `columns` = [4 + channels][row]. Throws BadInput with `source` where they are not every node of a grid once.
+  /// From a list of samples in any order: theta_i, phi_i, theta_s, phi_s and the channels' values in each row
+  /// of `columns` = [4 + channels][row]. Throws BadInput with `source` where they are not every node of a
+  /// grid once.
   static GridSamples from_rows(const std::vector<std::vector<double>>& columns, const std::string& source);
 
   const std::vector<double>& axis(AxisKind kind) const { return axes_[static_cast<std::size_t>(kind)]; }
@@ -39,12 +41,13 @@ class GridSamples {
   GridSamples with_values(std::vector<std::vector<double>> values) const;
 
   AngleRange range(AxisKind kind) const { return {axis(kind).front(), axis(kind).back()}; }
-  /// phi_s - phi_i, at the first phi_i, between the first node and the last; (-180, 180) where the nodes go round, with no gap
-  /// wider than twice the widest step, and where they are a half turn from 0 or 180 degrees on, which is mirrored.
+  /// phi_s - phi_i, at the first phi_i, between the first node and the last; (-180, 180) where the nodes go
+  /// round, with no gap wider than twice the widest step, and where they are a half turn from 0 or 180
+  /// degrees on, which is mirrored.
   AngleRange phi_range() const;
 
-  /// [channel][direction], at the first phi_i. Polar angles beyond the nodes take the last; azimuths wrap round, and where
-  /// phi_s - phi_i covers half a turn only, are mirrored.
+  /// [channel][direction], at the first phi_i. Polar angles beyond the nodes take the last; azimuths wrap
+  /// round, and where phi_s - phi_i covers half a turn only, are mirrored.
   std::vector<std::vector<double>> evaluate(const Directions& directions) const;
 
  private:

@@ -20,7 +20,8 @@ int decimals(const Axis& axis) {
 
 std::string angle_name(std::string_view tag, const Axis& axis, std::size_t k, int whole_digits) {
   const int fraction = decimals(axis);
-  std::string digits = fmt::format("{:0{}.{}f}", std::abs(axis[k]), whole_digits + (fraction > 0 ? fraction + 1 : 0), fraction);
+  std::string digits = fmt::format("{:0{}.{}f}", std::abs(axis[k]),
+                                   whole_digits + (fraction > 0 ? fraction + 1 : 0), fraction);
   std::replace(digits.begin(), digits.end(), '.', 'p');
   return fmt::format("{}{}{}", tag, axis[k] < 0 ? "m" : "", digits);
 }

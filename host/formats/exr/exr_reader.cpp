@@ -16,8 +16,8 @@
 #include <optional>
 
 #include "host/base/error.hpp"
-#include "host/formats/exr/exr_names.hpp"
 #include "host/base/numbers.hpp"
+#include "host/formats/exr/exr_names.hpp"
 #include "host/table/table_attributes.hpp"
 
 namespace brdftab {
@@ -36,12 +36,14 @@ std::vector<double> numbers(std::string_view text) {
 }
 
 std::optional<std::string> text_of(const Imf::Header& header, std::string_view name) {
-  const auto* attribute = header.findTypedAttribute<Imf::StringAttribute>(std::string(exr_prefix) + std::string(name));
+  const auto* attribute =
+      header.findTypedAttribute<Imf::StringAttribute>(std::string(exr_prefix) + std::string(name));
   return attribute ? std::optional(attribute->value()) : std::nullopt;
 }
 
 // The node that a slice's angle names: attributes keep doubles whole, so that they are equal.
-std::optional<std::size_t> index_of(const std::vector<double>& axis, const Imf::Header& header, std::string_view name) {
+std::optional<std::size_t> index_of(const std::vector<double>& axis, const Imf::Header& header,
+                                    std::string_view name) {
   const auto* angle = header.findTypedAttribute<Imf::DoubleAttribute>(std::string(name));
   if (!angle) return std::nullopt;
   const auto at = std::find(axis.begin(), axis.end(), angle->value());
@@ -65,7 +67,8 @@ class ExrReader : public TableReader {
 
   const TableInfo& info() const override { return info_; }
 
-  void read(Polarization polarization, std::size_t band, const Slab& box, std::span<double> samples) override {
+  void read(Polarization polarization, std::size_t band, const Slab& box,
+            std::span<double> samples) override {
     const std::string channel =
         exr_channel(polarization, wavelengths_.empty() ? std::nullopt : std::optional(wavelengths_.at(band)));
     guarded([&] {
@@ -95,7 +98,8 @@ class ExrReader : public TableReader {
   void open(const fs::path& file) {
     auto input = std::make_unique<Imf::MultiPartInputFile>(file.c_str());
     for (int part = 0; part < input->parts(); ++part)
-      if (!input->partComplete(part)) throw FileError("{}: is truncated: part {} is not complete", file.string(), part);
+      if (!input->partComplete(part))
+        throw FileError("{}: is truncated: part {} is not complete", file.string(), part);
     files_.push_back(std::move(input));
   }
 
@@ -187,8 +191,9 @@ class ExrReader : public TableReader {
     const auto window = header.dataWindow();
     if (window.min.x != 0 || window.min.y != 0 || static_cast<std::size_t>(window.max.x) + 1 != width ||
         static_cast<std::size_t>(window.max.y) + 1 != height)
-      throw FileError("{}: an image of {} x {} pixels does not fit the axes, which need {} x {}", path_.string(),
-                      window.max.x - window.min.x + 1, window.max.y - window.min.y + 1, width, height);
+      throw FileError("{}: an image of {} x {} pixels does not fit the axes, which need {} x {}",
+                      path_.string(), window.max.x - window.min.x + 1, window.max.y - window.min.y + 1, width,
+                      height);
   }
 
   void place_slices() {
@@ -208,10 +213,12 @@ class ExrReader : public TableReader {
         const Imf::Header& header = files_[file]->header(part);
         const auto i = index_of(theta_i, header, exr_slice_theta_i);
         const auto p = index_of(phi_i, header, exr_slice_phi_i);
-        if (!i || !p) throw FileError("{}: slice {} has angles that the axes lack", path_.string(), header.name());
+        if (!i || !p)
+          throw FileError("{}: slice {} has angles that the axes lack", path_.string(), header.name());
         require_size(header, columns, rows);
         Slice& slice = slices_[*i * phi_i.size() + *p];
-        if (slice.part >= 0) throw FileError("{}: two slices have the angles of {}", path_.string(), header.name());
+        if (slice.part >= 0)
+          throw FileError("{}: two slices have the angles of {}", path_.string(), header.name());
         slice = {file, part};
       }
     for (std::size_t k = 0; k < slices_.size(); ++k)
@@ -223,7 +230,8 @@ class ExrReader : public TableReader {
   static void require_channel(const Imf::Header& header, const std::string& channel, const fs::path& path) {
     const Imf::Channel* found = header.channels().findChannel(channel);
     if (!found || found->type != Imf::FLOAT)
-      throw FileError("{}: slice {} has no float channel {}", path.string(), header.hasName() ? header.name() : "", channel);
+      throw FileError("{}: slice {} has no float channel {}", path.string(),
+                      header.hasName() ? header.name() : "", channel);
   }
 
   void read_slices(const std::string& channel, const Slab& box, std::span<double> samples) {
@@ -237,7 +245,8 @@ class ExrReader : public TableReader {
         require_channel(part.header(), channel, path_);
         Imf::FrameBuffer frame;
         // The base is where pixel (0, 0) would be.
-        frame.insert(channel, Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(rows.data()) - box.theta_s.begin * row_bytes,
+        frame.insert(channel, Imf::Slice(Imf::FLOAT,
+                                         reinterpret_cast<char*>(rows.data()) - box.theta_s.begin * row_bytes,
                                          sizeof(float), row_bytes));
         part.setFrameBuffer(frame);
         part.readPixels(static_cast<int>(box.theta_s.begin), static_cast<int>(box.theta_s.end) - 1);
@@ -250,17 +259,18 @@ class ExrReader : public TableReader {
     std::vector<float> tile(rows_ * columns_);
     Imf::TiledInputPart part(*files_.front(), 0);
     if (part.tileXSize() != columns_ || part.tileYSize() != rows_)
-      throw FileError("{}: tiles of {} x {} pixels do not fit the axes, which need {} x {}", path_.string(), part.tileXSize(),
-                      part.tileYSize(), columns_, rows_);
+      throw FileError("{}: tiles of {} x {} pixels do not fit the axes, which need {} x {}", path_.string(),
+                      part.tileXSize(), part.tileYSize(), columns_, rows_);
     Imf::FrameBuffer frame;
-    frame.insert(channel, Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(tile.data()), sizeof(float), columns_ * sizeof(float), 1,
-                                     1, 0, true, true));
+    frame.insert(channel, Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(tile.data()), sizeof(float),
+                                     columns_ * sizeof(float), 1, 1, 0, true, true));
     part.setFrameBuffer(frame);
     double* to = samples.data();
     for (std::size_t i = box.theta_i.begin; i < box.theta_i.end; ++i)
       for (std::size_t p = box.phi_i.begin; p < box.phi_i.end; ++p) {
         part.readTile(static_cast<int>(p), static_cast<int>(i));
-        to = std::copy(tile.data() + box.theta_s.begin * columns_, tile.data() + box.theta_s.end * columns_, to);
+        to = std::copy(tile.data() + box.theta_s.begin * columns_, tile.data() + box.theta_s.end * columns_,
+                       to);
       }
   }
 
@@ -277,6 +287,8 @@ class ExrReader : public TableReader {
 
 }  // namespace
 
-std::unique_ptr<TableReader> open_exr_table(const fs::path& path) { return std::make_unique<ExrReader>(path); }
+std::unique_ptr<TableReader> open_exr_reader(const fs::path& path) {
+  return std::make_unique<ExrReader>(path);
+}
 
 }  // namespace brdftab

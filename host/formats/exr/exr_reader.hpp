@@ -8,8 +8,8 @@
 
 namespace brdftab {
 
-/// A file, or a folder with a file for each slice. Throws FileError where it cannot be read, and BadInput where it is not
-/// a table of this program.
-std::unique_ptr<TableReader> open_exr_table(const std::filesystem::path& path);
+/// A file, or a folder with a file for each slice. Throws FileError where it cannot be read, and BadInput
+/// where it is not a table of this program.
+std::unique_ptr<TableReader> open_exr_reader(const std::filesystem::path& path);
 
 }  // namespace brdftab

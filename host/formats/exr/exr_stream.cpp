@@ -8,7 +8,8 @@
 
 namespace brdftab {
 
-ExrStream::ExrStream(const std::filesystem::path& path) : Imf::OStream(path.c_str()), file_(std::fopen(path.c_str(), "wbe")) {
+ExrStream::ExrStream(const std::filesystem::path& path)
+    : Imf::OStream(path.c_str()), file_(std::fopen(path.c_str(), "wbe")) {
   if (!file_) throw FileError("{}", std::generic_category().message(errno));
 }
 
@@ -17,7 +18,9 @@ ExrStream::~ExrStream() {
 }
 
 void ExrStream::write(const char bytes[], int count) {
-  if (failure_ || std::fwrite(bytes, 1, static_cast<std::size_t>(count), file_) != static_cast<std::size_t>(count)) fail();
+  if (failure_ ||
+      std::fwrite(bytes, 1, static_cast<std::size_t>(count), file_) != static_cast<std::size_t>(count))
+    fail();
   position_ += static_cast<uint64_t>(count);
 }
 

@@ -1,5 +1,5 @@
-// The stream under an OpenEXR file that is written: OpenEXR writes its table of offsets in a destructor, where it
-// swallows errors; this remembers them.
+// The stream under an OpenEXR file that is written: OpenEXR writes its table of offsets in a destructor,
+// where it swallows errors; this remembers them.
 #pragma once
 
 #include <OpenEXR/ImfIO.h>

@@ -12,7 +12,8 @@
 namespace brdftab {
 namespace {
 
-// The first bytes of all numbers, then the second ones ...: HDF5's shuffle filter, on a little-endian machine.
+// The first bytes of all numbers, then the second ones ...: HDF5's shuffle filter, on a little-endian
+// machine.
 template <class Bits>
 void shuffle(std::span<const std::byte> numbers, std::byte* planes, std::size_t plane_bytes) {
   const std::size_t count = numbers.size() / sizeof(Bits);
@@ -24,12 +25,15 @@ void shuffle(std::span<const std::byte> numbers, std::byte* planes, std::size_t 
   }
 }
 
-std::unique_ptr<std::byte[]> room(std::size_t bytes) { return std::make_unique_for_overwrite<std::byte[]>(bytes); }
+std::unique_ptr<std::byte[]> room(std::size_t bytes) {
+  return std::make_unique_for_overwrite<std::byte[]>(bytes);
+}
 
 }  // namespace
 
 struct ChunkDeflater::Worker {
-  Worker(std::size_t chunk_bytes, int level) : compressor(libdeflate_alloc_compressor(level)), shuffled(room(chunk_bytes)) {
+  Worker(std::size_t chunk_bytes, int level)
+      : compressor(libdeflate_alloc_compressor(level)), shuffled(room(chunk_bytes)) {
     if (!compressor) throw std::bad_alloc();
   }
   Worker(const Worker&) = delete;
@@ -66,7 +70,8 @@ void ChunkDeflater::deflate(std::span<const std::span<const std::byte>> chunks,
       const auto shuffle_numbers = node_bytes_ == 8 ? shuffle<std::uint64_t> : shuffle<std::uint32_t>;
       shuffle_numbers(chunks[k], worker.shuffled.get(), chunk_bytes_ / node_bytes_);
       Output& output = *outputs_[k];
-      output.size = libdeflate_zlib_compress(worker.compressor, worker.shuffled.get(), chunk_bytes_, output.stream.get(), bound_);
+      output.size = libdeflate_zlib_compress(worker.compressor, worker.shuffled.get(), chunk_bytes_,
+                                             output.stream.get(), bound_);
       output.size.notify_one();
     }
   };
@@ -77,7 +82,8 @@ void ChunkDeflater::deflate(std::span<const std::span<const std::byte>> chunks,
     std::size_t end;
     ~Stop() { next = end; }
   } stop{next, chunks.size()};
-  for (std::size_t k = 0; k < std::min(workers_.size(), chunks.size()); ++k) threads.emplace_back(work, std::ref(*workers_[k]));
+  for (std::size_t k = 0; k < std::min(workers_.size(), chunks.size()); ++k)
+    threads.emplace_back(work, std::ref(*workers_[k]));
   for (std::size_t k = 0; k < chunks.size(); ++k) {
     outputs_[k]->size.wait(0);
     write(k, {outputs_[k]->stream.get(), outputs_[k]->size});

@@ -1,4 +1,5 @@
-// Chunks of samples as HDF5's shuffle and deflate filters would store them, compressed by all hardware threads.
+// Chunks of samples as HDF5's shuffle and deflate filters would store them, compressed by all hardware
+// threads.
 #pragma once
 
 #include <cstddef>
@@ -13,13 +14,16 @@ class ChunkDeflater {
  public:
   using Stream = std::span<const std::byte>;
 
-  /// `chunk_bytes` of each chunk once it is padded; `node_bytes` 4 or 8; `level` of libdeflate. Throws std::bad_alloc.
+  /// `chunk_bytes` of each chunk once it is padded; `node_bytes` 4 or 8; `level` of libdeflate. Throws
+  /// std::bad_alloc.
   ChunkDeflater(std::size_t chunk_bytes, std::size_t node_bytes, int level);
   ~ChunkDeflater();
 
-  /// Calls `write` in this thread, in order, with each chunk's zlib stream, while other threads compress those after it.
-  /// A chunk shorter than the others is padded with zeros. The bytes do not depend on the number of threads.
-  void deflate(std::span<const std::span<const std::byte>> chunks, const std::function<void(std::size_t, Stream)>& write);
+  /// Calls `write` in this thread, in order, with each chunk's zlib stream, while other threads compress
+  /// those after it. A chunk shorter than the others is padded with zeros. The bytes do not depend on the
+  /// number of threads.
+  void deflate(std::span<const std::span<const std::byte>> chunks,
+               const std::function<void(std::size_t, Stream)>& write);
 
  private:
   struct Worker;

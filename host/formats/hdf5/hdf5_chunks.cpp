@@ -25,10 +25,12 @@ void Hdf5Chunks::set_filters(hid_t creation, const std::vector<hsize_t>& dimensi
   hdf5_check(H5Pset_chunk(creation, static_cast<int>(dimensions.size()), dimensions.data()), "chunks");
   hdf5_check(H5Pset_shuffle(creation), "shuffle");
   // Readers do not need the level, and HDF5 knows zlib's only.
-  hdf5_check(H5Pset_deflate(creation, static_cast<unsigned>(std::min(deflate_level_, highest_zlib_level))), "deflate");
+  hdf5_check(H5Pset_deflate(creation, static_cast<unsigned>(std::min(deflate_level_, highest_zlib_level))),
+             "deflate");
 }
 
-void Hdf5Chunks::write(hid_t dataset, const Slab& slab, std::span<const std::byte> samples, const Position& position) {
+void Hdf5Chunks::write(hid_t dataset, const Slab& slab, std::span<const std::byte> samples,
+                       const Position& position) {
   std::vector<std::span<const std::byte>> chunks;
   std::vector<std::vector<hsize_t>> positions;
   std::size_t done = 0;
@@ -42,7 +44,8 @@ void Hdf5Chunks::write(hid_t dataset, const Slab& slab, std::span<const std::byt
         done += chunks.back().size();
       }
   deflater_.deflate(chunks, [&](std::size_t k, ChunkDeflater::Stream stream) {
-    hdf5_check(H5Dwrite_chunk(dataset, H5P_DEFAULT, 0, positions[k].data(), stream.size(), stream.data()), "brdf");
+    hdf5_check(H5Dwrite_chunk(dataset, H5P_DEFAULT, 0, positions[k].data(), stream.size(), stream.data()),
+               "brdf");
   });
 }
 

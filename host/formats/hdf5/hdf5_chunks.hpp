@@ -1,4 +1,5 @@
-// Chunks of a table, compressed by our own threads and written to HDF5 as they are: its filters only ever read them.
+// Chunks of a table, compressed by our own threads and written to HDF5 as they are: its filters only ever
+// read them.
 #pragma once
 
 #include <hdf5.h>
@@ -7,8 +8,8 @@
 #include <span>
 #include <vector>
 
-#include "host/formats/hdf5/chunk_deflater.hpp"
 #include "host/compute/slab.hpp"
+#include "host/formats/hdf5/chunk_deflater.hpp"
 
 namespace brdftab {
 
@@ -23,7 +24,8 @@ class Hdf5Chunks {
   /// Sets chunks of `dimensions`, shuffle and deflate as a dataset's properties. Throws FileError.
   void set_filters(hid_t creation, const std::vector<hsize_t>& dimensions) const;
 
-  /// A slab of whole chunks; `position` gives the coordinates of a chunk's first node in the dataset. Throws FileError.
+  /// A slab of whole chunks; `position` gives the coordinates of a chunk's first node in the dataset. Throws
+  /// FileError.
   void write(hid_t dataset, const Slab& slab, std::span<const std::byte> samples, const Position& position);
 
  private:

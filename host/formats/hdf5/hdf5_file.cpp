@@ -14,10 +14,11 @@ Hdf5Handle create_file(const std::filesystem::path& path, H5F_libver_t oldest) {
   // The same table is the same bytes, whenever it is made.
   hdf5_check(H5Pset_obj_track_times(creation, false), "object times");
   const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), "HDF5 file properties");
-  // Since 1.8 an attribute may exceed 64 KiB, as one value for each of many wavelengths may. Views, and a short form of the
-  // strided selections that they may take, came with 1.10.
+  // Since 1.8 an attribute may exceed 64 KiB, as one value for each of many wavelengths may. Views, and a
+  // short form of the strided selections that they may take, came with 1.10.
   hdf5_check(H5Pset_libver_bounds(access, oldest, oldest), "HDF5 version");
-  // Made anew, not truncated: ext4 takes a truncated file for one that replaces another, and closing it for a flush.
+  // Made anew, not truncated: ext4 takes a truncated file for one that replaces another, and closing it for a
+  // flush.
   std::filesystem::remove(path);
   return Hdf5Handle(H5Fcreate(path.c_str(), H5F_ACC_EXCL, creation, access), path.string());
 }
@@ -35,7 +36,8 @@ void write_attributes(hid_t object, const std::vector<AttributeInfo>& attributes
     std::visit([&](const auto& value) { write_attribute(object, attribute.name, value); }, attribute.value);
 }
 
-Hdf5File::Hdf5File(const std::filesystem::path& path, H5F_libver_t oldest) : path_(path), file_(create_file(path, oldest)) {}
+Hdf5File::Hdf5File(const std::filesystem::path& path, H5F_libver_t oldest)
+    : path_(path), file_(create_file(path, oldest)) {}
 
 void Hdf5File::write_attributes(const std::vector<AttributeInfo>& attributes) {
   brdftab::write_attributes(Hdf5Handle(H5Gopen2(file_, "/", H5P_DEFAULT), path_.string()), attributes);
@@ -45,9 +47,11 @@ void Hdf5File::create_scale(const std::string& name, std::span<const double> nod
                             std::string_view long_name, std::string_view standard_name) {
   const hsize_t count = nodes.size();
   const Hdf5Handle space(H5Screate_simple(1, &count, nullptr), name);
-  Hdf5Handle dataset(H5Dcreate2(file_, name.c_str(), H5T_IEEE_F64LE, space, H5P_DEFAULT, hdf5_dataset_properties(), H5P_DEFAULT),
+  Hdf5Handle dataset(H5Dcreate2(file_, name.c_str(), H5T_IEEE_F64LE, space, H5P_DEFAULT,
+                                hdf5_dataset_properties(), H5P_DEFAULT),
                      name);
-  hdf5_check(H5Dwrite(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, nodes.data()), path_.string());
+  hdf5_check(H5Dwrite(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, nodes.data()),
+             path_.string());
   hdf5_check(H5DSset_scale(dataset, name.c_str()), name);
   write_attribute(dataset, "units", units);
   write_attribute(dataset, "long_name", long_name);
@@ -56,12 +60,15 @@ void Hdf5File::create_scale(const std::string& name, std::span<const double> nod
   scales_.emplace(name, std::move(dataset));
 }
 
-Hdf5Handle Hdf5File::create_variable(const std::string& name, const std::vector<std::string>& dimensions, hid_t type,
-                                     std::string_view units, const std::string& long_name, const Hdf5Handle& creation) const {
+Hdf5Handle Hdf5File::create_variable(const std::string& name, const std::vector<std::string>& dimensions,
+                                     hid_t type, std::string_view units, const std::string& long_name,
+                                     const Hdf5Handle& creation) const {
   const std::vector<hsize_t> shape = shape_of(dimensions);
   const Hdf5Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), name);
-  Hdf5Handle dataset(H5Dcreate2(file_, name.c_str(), type, space, H5P_DEFAULT, creation, H5P_DEFAULT), path_.string());
-  for (unsigned k = 0; k < dimensions.size(); ++k) hdf5_check(H5DSattach_scale(dataset, scales_.at(dimensions[k]), k), name);
+  Hdf5Handle dataset(H5Dcreate2(file_, name.c_str(), type, space, H5P_DEFAULT, creation, H5P_DEFAULT),
+                     path_.string());
+  for (unsigned k = 0; k < dimensions.size(); ++k)
+    hdf5_check(H5DSattach_scale(dataset, scales_.at(dimensions[k]), k), name);
   write_attribute(dataset, "units", units);
   write_attribute(dataset, "long_name", long_name);
   return dataset;

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "host/table/attribute.hpp"
 #include "host/formats/hdf5/hdf5_handle.hpp"
+#include "host/table/attribute.hpp"
 
 namespace brdftab {
 
@@ -29,12 +29,13 @@ class Hdf5File {
   void write_attributes(const std::vector<AttributeInfo>& attributes);
 
   /// A coordinate variable, float64. `standard_name`: of the CF conventions; empty where they have none.
-  void create_scale(const std::string& name, std::span<const double> nodes, std::string_view units, std::string_view long_name,
-                    std::string_view standard_name);
+  void create_scale(const std::string& name, std::span<const double> nodes, std::string_view units,
+                    std::string_view long_name, std::string_view standard_name);
 
   /// A dataset over coordinate variables made before, not yet written.
   Hdf5Handle create_variable(const std::string& name, const std::vector<std::string>& dimensions, hid_t type,
-                             std::string_view units, const std::string& long_name, const Hdf5Handle& creation) const;
+                             std::string_view units, const std::string& long_name,
+                             const Hdf5Handle& creation) const;
 
   std::vector<hsize_t> shape_of(const std::vector<std::string>& dimensions) const;
 

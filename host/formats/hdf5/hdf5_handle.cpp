@@ -60,7 +60,8 @@ void write_attribute(hid_t object, const std::string& name, std::string_view tex
   hdf5_check(H5Tset_size(type, H5T_VARIABLE), "string size");
   hdf5_check(H5Tset_cset(type, H5T_CSET_UTF8), "string encoding");
   const Hdf5Handle space(H5Screate(H5S_SCALAR), "attribute space");
-  const Hdf5Handle attribute(H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), "attribute " + name);
+  const Hdf5Handle attribute(H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT),
+                             "attribute " + name);
   const std::string terminated(text);
   const char* const start = terminated.c_str();
   hdf5_check(H5Awrite(attribute, type, &start), "attribute " + name);
@@ -68,16 +69,16 @@ void write_attribute(hid_t object, const std::string& name, std::string_view tex
 
 void write_attribute(hid_t object, const std::string& name, double value) {
   const Hdf5Handle space(H5Screate(H5S_SCALAR), "attribute space");
-  const Hdf5Handle attribute(H5Acreate2(object, name.c_str(), H5T_IEEE_F64LE, space, H5P_DEFAULT, H5P_DEFAULT),
-                             "attribute " + name);
+  const Hdf5Handle attribute(
+      H5Acreate2(object, name.c_str(), H5T_IEEE_F64LE, space, H5P_DEFAULT, H5P_DEFAULT), "attribute " + name);
   hdf5_check(H5Awrite(attribute, H5T_NATIVE_DOUBLE, &value), "attribute " + name);
 }
 
 void write_attribute(hid_t object, const std::string& name, std::span<const double> values) {
   const hsize_t count = values.size();
   const Hdf5Handle space(H5Screate_simple(1, &count, nullptr), "attribute space");
-  const Hdf5Handle attribute(H5Acreate2(object, name.c_str(), H5T_IEEE_F64LE, space, H5P_DEFAULT, H5P_DEFAULT),
-                             "attribute " + name);
+  const Hdf5Handle attribute(
+      H5Acreate2(object, name.c_str(), H5T_IEEE_F64LE, space, H5P_DEFAULT, H5P_DEFAULT), "attribute " + name);
   hdf5_check(H5Awrite(attribute, H5T_NATIVE_DOUBLE, values.data()), "attribute " + name);
 }
 

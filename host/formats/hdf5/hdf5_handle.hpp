@@ -43,7 +43,8 @@ void write_attribute(hid_t object, const std::string& name, std::string_view tex
 void write_attribute(hid_t object, const std::string& name, double value);
 void write_attribute(hid_t object, const std::string& name, std::span<const double> values);
 
-/// Whether an open object has an attribute that is one string, of variable length or, as in older tables, of fixed length.
+/// Whether an open object has an attribute that is one string, of variable length or, as in older tables, of
+/// fixed length.
 bool has_text_attribute(hid_t object, const std::string& name);
 /// Throws FileError where it has none.
 std::string read_text_attribute(hid_t object, const std::string& name);

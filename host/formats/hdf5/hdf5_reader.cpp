@@ -49,7 +49,8 @@ std::vector<AttributeInfo> attributes_of(hid_t object) {
       attributes.push_back({name, read_text_attribute(object, name)});
     } else if (H5Tget_class(type) == H5T_FLOAT || H5Tget_class(type) == H5T_INTEGER) {
       const auto shape = shape_of(space);
-      std::vector<double> values(static_cast<std::size_t>(std::max<hssize_t>(H5Sget_simple_extent_npoints(space), 0)));
+      std::vector<double> values(
+          static_cast<std::size_t>(std::max<hssize_t>(H5Sget_simple_extent_npoints(space), 0)));
       hdf5_check(H5Aread(attribute, H5T_NATIVE_DOUBLE, values.data()), name);
       if (shape.empty())
         attributes.push_back({name, values[0]});
@@ -87,26 +88,29 @@ VariableInfo variable_of(hid_t file, const std::string& name) {
   const Hdf5Handle dataset(H5Dopen2(file, name.c_str(), H5P_DEFAULT), name);
   const Hdf5Handle space(H5Dget_space(dataset), name);
   const Hdf5Handle type(H5Dget_type(dataset), name);
-  VariableInfo variable{.name = name,
-                        .type = type_name(type),
-                        .shape = shape_of(space),
-                        .dimensions = {},
-                        .units = has_text_attribute(dataset, "units") ? read_text_attribute(dataset, "units") : "",
-                        .long_name = has_text_attribute(dataset, "long_name") ? read_text_attribute(dataset, "long_name") : "",
-                        .is_axis = H5DSis_scale(dataset) > 0,
-                        .values = {},
-                        .storage = storage_of(dataset)};
+  VariableInfo variable{
+      .name = name,
+      .type = type_name(type),
+      .shape = shape_of(space),
+      .dimensions = {},
+      .units = has_text_attribute(dataset, "units") ? read_text_attribute(dataset, "units") : "",
+      .long_name = has_text_attribute(dataset, "long_name") ? read_text_attribute(dataset, "long_name") : "",
+      .is_axis = H5DSis_scale(dataset) > 0,
+      .values = {},
+      .storage = storage_of(dataset)};
   variable.dimensions = variable.is_axis ? std::vector{name} : dimensions_of(dataset, variable.shape.size());
   const bool numeric = H5Tget_class(type) == H5T_FLOAT || H5Tget_class(type) == H5T_INTEGER;
   if (numeric && (variable.shape.size() == 1 || variable.shape.size() == 2)) {
-    variable.values.resize(variable.shape.size() == 1 ? variable.shape[0] : variable.shape[0] * variable.shape[1]);
-    hdf5_check(H5Dread(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, variable.values.data()), name);
+    variable.values.resize(variable.shape.size() == 1 ? variable.shape[0]
+                                                      : variable.shape[0] * variable.shape[1]);
+    hdf5_check(H5Dread(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, variable.values.data()),
+               name);
   }
   return variable;
 }
 
-/// A link that leads nowhere is no dataset; an object that cannot be opened is damage. H5Oget_info_by_name would tell as well,
-/// but has another signature in each release of HDF5.
+/// A link that leads nowhere is no dataset; an object that cannot be opened is damage. H5Oget_info_by_name
+/// would tell as well, but has another signature in each release of HDF5.
 bool is_dataset(hid_t file, const std::string& name) {
   if (H5Oexists_by_name(file, name.c_str(), H5P_DEFAULT) <= 0) return false;
   const Hdf5Handle object(H5Oopen(file, name.c_str(), H5P_DEFAULT), name);
@@ -116,11 +120,14 @@ bool is_dataset(hid_t file, const std::string& name) {
 class Hdf5Reader : public TableReader {
  public:
   explicit Hdf5Reader(const std::filesystem::path& path)
-      : path_(path), file_(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), path.string() + ": is damaged") {
+      : path_(path),
+        file_(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), path.string() + ": is damaged") {
     const Hdf5Handle root(H5Gopen2(file_, "/", H5P_DEFAULT), path.string());
     if (!has_text_attribute(root, "material") || !has_text_attribute(root, "azimuth_convention"))
-      throw BadInput("{}: is an HDF5 file, but not a table of brdftab: it has no attributes material and azimuth_convention",
-                     path.string());
+      throw BadInput(
+          "{}: is an HDF5 file, but not a table of brdftab: it has no attributes material and "
+          "azimuth_convention",
+          path.string());
     info_.attributes = attributes_of(root);
     for (const auto& name : names_of(root, H5_INDEX_CRT_ORDER, false))
       if (is_dataset(file_, name)) info_.variables.push_back(variable_of(file_, name));
@@ -128,7 +135,8 @@ class Hdf5Reader : public TableReader {
 
   const TableInfo& info() const override { return info_; }
 
-  void read(Polarization polarization, std::size_t band, const Slab& box, std::span<double> samples) override {
+  void read(Polarization polarization, std::size_t band, const Slab& box,
+            std::span<double> samples) override {
     const std::string name(brdf_name(polarization));
     const Hdf5Handle dataset(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), name);
     const Hdf5Handle space(H5Dget_space(dataset), name);
@@ -138,7 +146,8 @@ class Hdf5Reader : public TableReader {
       start.insert(start.begin(), band);
       count.insert(count.begin(), 1);
     }
-    hdf5_check(H5Sselect_hyperslab(space, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr), name);
+    hdf5_check(H5Sselect_hyperslab(space, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr),
+               name);
     const hsize_t nodes = box.nodes();
     const Hdf5Handle memory(H5Screate_simple(1, &nodes, nullptr), name);
     hdf5_check(H5Dread(dataset, H5T_NATIVE_DOUBLE, memory, space, H5P_DEFAULT, samples.data()),
@@ -153,7 +162,7 @@ class Hdf5Reader : public TableReader {
 
 }  // namespace
 
-std::unique_ptr<TableReader> open_hdf5_table(const std::filesystem::path& file) {
+std::unique_ptr<TableReader> open_hdf5_reader(const std::filesystem::path& file) {
   hdf5_quiet();
   return std::make_unique<Hdf5Reader>(file);
 }

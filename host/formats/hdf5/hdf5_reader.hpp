@@ -9,6 +9,6 @@
 namespace brdftab {
 
 /// Throws FileError where the file cannot be read, and BadInput where it is not a table of this program.
-std::unique_ptr<TableReader> open_hdf5_table(const std::filesystem::path& file);
+std::unique_ptr<TableReader> open_hdf5_reader(const std::filesystem::path& file);
 
 }  // namespace brdftab

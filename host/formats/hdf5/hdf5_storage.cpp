@@ -21,8 +21,8 @@ std::vector<std::string> filters_of(hid_t creation) {
     unsigned values[1] = {0};
     std::size_t count = 1;
     char name[64] = "";
-    const H5Z_filter_t filter =
-        H5Pget_filter2(creation, static_cast<unsigned>(k), &flags, &count, values, sizeof name, name, nullptr);
+    const H5Z_filter_t filter = H5Pget_filter2(creation, static_cast<unsigned>(k), &flags, &count, values,
+                                               sizeof name, name, nullptr);
     filters.push_back(filter == H5Z_FILTER_SHUFFLE   ? "shuffle"
                       : filter == H5Z_FILTER_DEFLATE ? fmt::format("deflate {}", values[0])
                                                      : std::string(name));
@@ -42,8 +42,12 @@ Hdf5Storage storage_of(hid_t dataset) {
   const Hdf5Handle creation(H5Dget_create_plist(dataset), "dataset properties");
   const Hdf5Handle space(H5Dget_space(dataset), "dataset shape");
   const Hdf5Handle type(H5Dget_type(dataset), "dataset type");
-  Hdf5Storage storage{
-      .layout = "other", .chunk = {}, .filters = {}, .view_of = {}, .bytes = H5Dget_storage_size(dataset), .ratio = 0};
+  Hdf5Storage storage{.layout = "other",
+                      .chunk = {},
+                      .filters = {},
+                      .view_of = {},
+                      .bytes = H5Dget_storage_size(dataset),
+                      .ratio = 0};
   const H5D_layout_t layout = H5Pget_layout(creation);
   if (layout == H5D_CONTIGUOUS) storage.layout = "contiguous";
   if (layout == H5D_CHUNKED) {
@@ -56,7 +60,8 @@ Hdf5Storage storage_of(hid_t dataset) {
     storage.view_of = view_of(creation);
     storage.bytes = 0;
   }
-  const auto samples = static_cast<double>(H5Sget_simple_extent_npoints(space)) * static_cast<double>(H5Tget_size(type));
+  const auto samples =
+      static_cast<double>(H5Sget_simple_extent_npoints(space)) * static_cast<double>(H5Tget_size(type));
   if (storage.bytes > 0) storage.ratio = samples / static_cast<double>(storage.bytes);
   return storage;
 }

@@ -1,16 +1,16 @@
-// The universal BRDF data format of EURAMET's project BiRD (16NRM08), in JSON: a list of samples, with the model's parameters
-// and their uncertainty.
+// The universal BRDF data format of EURAMET's project BiRD (16NRM08), in JSON: a list of samples, with the
+// model's parameters and their uncertainty.
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <map>
 
-#include "host/model/fitted_intervals.hpp"
-#include "host/formats/registry.hpp"
-#include "host/formats/export/grid_table.hpp"
-#include "host/formats/json/json_file.hpp"
-#include "host/formats/export/grid_samples.hpp"
 #include "host/base/numbers.hpp"
+#include "host/formats/export/grid_reader.hpp"
+#include "host/formats/export/grid_samples.hpp"
+#include "host/formats/json/json_file.hpp"
+#include "host/formats/registry.hpp"
+#include "host/model/fitted_intervals.hpp"
 #include "host/model/surface_vector.hpp"
 #include "host/table/table_content.hpp"
 
@@ -20,10 +20,12 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr std::string_view schema =
-    "https://raw.githubusercontent.com/BiRD-project/BiRD_view/master/BRDF_JSON_schema/brdf_json_schema_v1.0.json";
+    "https://raw.githubusercontent.com/BiRD-project/BiRD_view/master/BRDF_JSON_schema/"
+    "brdf_json_schema_v1.0.json";
 constexpr std::string_view not_stated = "not stated";
 constexpr std::string_view angles_text =
-    "Angles are those of vectors that point away from the surface: the mirror direction is theta_r = theta_i, phi_r = phi_i + "
+    "Angles are those of vectors that point away from the surface: the mirror direction is theta_r = "
+    "theta_i, phi_r = phi_i + "
     "180 degrees.";
 
 // Azimuths as the format has them, from 0 to below 360 degrees, each direction once.
@@ -49,18 +51,19 @@ ordered_json parameters(const Material& material) {
       return band.parameters.*row.member != bands.front().parameters.*row.member;
     });
     for (std::size_t b = 0; b < (differs ? bands.size() : 1); ++b) {
-      ordered_json entry{{"name", differs ? fmt::format("{}[{}]", row.name, shortest(*bands[b].wavelength_nm)) : row.name},
-                         {"symbol", row.symbol},
-                         {"description", row.meaning},
-                         {"value", bands[b].parameters.*row.member},
-                         {"unit", row.unit}};
+      ordered_json entry{
+          {"name", differs ? fmt::format("{}[{}]", row.name, shortest(*bands[b].wavelength_nm)) : row.name},
+          {"symbol", row.symbol},
+          {"description", row.meaning},
+          {"value", bands[b].parameters.*row.member},
+          {"unit", row.unit}};
       if (const auto& interval = intervals[b][p]) {
         if (interval->is_closed) {
           entry["uncertainty"] = (interval->high - interval->low) / 2;
           entry["uncertainty_unit"] = row.unit;
         }
-        entry["comments"] =
-            fmt::format("{}{}", interval->is_closed ? "uncertainty: half the 95 % interval; " : "", interval->remark);
+        entry["comments"] = fmt::format(
+            "{}{}", interval->is_closed ? "uncertainty: half the 95 % interval; " : "", interval->remark);
       }
       list.push_back(std::move(entry));
     }
@@ -88,7 +91,8 @@ class BirdFormat : public ExportFormat {
     parser.add_option("--bird-email", email_, "The format requires one");
   }
 
-  std::vector<std::string> write(const std::filesystem::path& file, const ExportSource& source) const override {
+  std::vector<std::string> write(const std::filesystem::path& file,
+                                 const ExportModel& source) const override {
     const Grid& grid = source.grid();
     const auto phi_i = turned(grid.phi_i.nodes(), incident_azimuth(0)), phi_r = turned(grid.phi_s.nodes(), 0);
     std::map<std::string_view, std::vector<double>> columns;
@@ -123,8 +127,11 @@ class BirdFormat : public ExportFormat {
     std::vector<std::string> wavelengths, letters;
     for (const Polarization state : states)
       for (std::size_t band = 0; band < source.bands(); ++band) {
-        if (source.material().has_wavelengths()) wavelengths.push_back(shortest(source.wavelengths_nm()[band]));
-        letters.emplace_back(state == Polarization::s ? "\"s\"" : state == Polarization::p ? "\"p\"" : "\"u\"");
+        if (source.material().has_wavelengths())
+          wavelengths.push_back(shortest(source.wavelengths_nm()[band]));
+        letters.emplace_back(state == Polarization::s   ? "\"s\""
+                             : state == Polarization::p ? "\"p\""
+                                                        : "\"u\"");
       }
     if (!wavelengths.empty()) {
       fmt::format_to(out, "\"wavelength_i\": {{\"unit\": \"nm\", \"values\": [");
@@ -149,38 +156,47 @@ class BirdFormat : public ExportFormat {
     return beginning.starts_with('{') && beginning.find("brdf_json_schema") != beginning.npos;
   }
 
-  std::unique_ptr<ExportedTable> read(const std::filesystem::path& file) const override {
-    return read_json(file, [&](const nlohmann::json& json) -> std::unique_ptr<ExportedTable> {
+  std::unique_ptr<ExportReader> read(const std::filesystem::path& file) const override {
+    return read_json(file, [&](const nlohmann::json& json) -> std::unique_ptr<ExportReader> {
       const auto& data = json.at("data");
-      const auto values = [&](const char* name) { return data.at(name).at("values").get<std::vector<double>>(); };
-      const std::vector<std::vector<double>> columns{values("theta_i"), values("phi_i"), values("theta_r"), values("phi_r"),
-                                                     values("BRDF")};
-      const auto nm = data.contains("wavelength_i") ? values("wavelength_i") : std::vector<double>(columns[0].size());
-      const auto states = data.contains("polarization_i") ? data.at("polarization_i").at("values").get<std::vector<std::string>>()
-                                                          : std::vector<std::string>(columns[0].size(), "u");
-      for (const std::size_t size :
-           {columns[1].size(), columns[2].size(), columns[3].size(), columns[4].size(), nm.size(), states.size()})
+      const auto values = [&](const char* name) {
+        return data.at(name).at("values").get<std::vector<double>>();
+      };
+      const std::vector<std::vector<double>> columns{values("theta_i"), values("phi_i"), values("theta_r"),
+                                                     values("phi_r"), values("BRDF")};
+      const auto nm =
+          data.contains("wavelength_i") ? values("wavelength_i") : std::vector<double>(columns[0].size());
+      const auto states = data.contains("polarization_i")
+                              ? data.at("polarization_i").at("values").get<std::vector<std::string>>()
+                              : std::vector<std::string>(columns[0].size(), "u");
+      for (const std::size_t size : {columns[1].size(), columns[2].size(), columns[3].size(),
+                                     columns[4].size(), nm.size(), states.size()})
         if (size != columns[0].size())
-          throw BadInput("{}: data have arrays of {} and of {} values", file.string(), columns[0].size(), size);
+          throw BadInput("{}: data have arrays of {} and of {} values", file.string(), columns[0].size(),
+                         size);
       using Columns = std::vector<std::vector<double>>;
       std::map<std::string, std::map<double, Columns>> blocks;  // by polarisation, by wavelength
       for (std::size_t k = 0; k < states.size(); ++k) {
         auto& block = blocks[states[k]].try_emplace(nm[k], columns.size()).first->second;
-        for (std::size_t c = 0; c < columns.size(); ++c) block[c].push_back(columns[c][k] - (c == 1 ? incident_azimuth(0) : 0));
+        for (std::size_t c = 0; c < columns.size(); ++c)
+          block[c].push_back(columns[c][k] - (c == 1 ? incident_azimuth(0) : 0));
       }
       if (!blocks.contains("u")) throw BadInput("{}: has no samples for unpolarised light", file.string());
       const auto samples = [&](const std::string& state) {
         std::vector<GridSamples> bands;
-        for (const auto& [wavelength, block] : blocks[state]) bands.push_back(GridSamples::from_rows(block, file.string()));
+        for (const auto& [wavelength, block] : blocks[state])
+          bands.push_back(GridSamples::from_rows(block, file.string()));
         return bands;
       };
       std::vector<double> wavelengths;
       for (const auto& [wavelength, block] : blocks["u"])
         if (wavelength > 0) wavelengths.push_back(wavelength);
       const auto section = json.at("metadata").value("adhoc_section", nlohmann::json::object());
-      auto table = std::make_unique<GridTable>(samples("u"), std::move(wavelengths), section.value("material", ""),
-                                               "linear interpolation between samples");
-      for (const auto& [state, polarization] : {std::pair{"s", Polarization::s}, std::pair{"p", Polarization::p}})
+      auto table =
+          std::make_unique<GridReader>(samples("u"), std::move(wavelengths), section.value("material", ""),
+                                       "linear interpolation between samples");
+      for (const auto& [state, polarization] :
+           {std::pair{"s", Polarization::s}, std::pair{"p", Polarization::p}})
         if (blocks.contains(state)) table->add_polarization(polarization, samples(state));
       return table;
     });
@@ -192,23 +208,28 @@ class BirdFormat : public ExportFormat {
     return {Polarization::unpolarized};
   }
 
-  ordered_json metadata(const ExportSource& source) const {
+  ordered_json metadata(const ExportModel& source) const {
     const Material& material = source.material();
     ordered_json location;
-    for (const auto name : {"country", "city", "street", "building_nr", "postal_code"}) location[name] = not_stated;
+    for (const auto name : {"country", "city", "street", "building_nr", "postal_code"})
+      location[name] = not_stated;
     ordered_json model{{"name", "Renhorn-Boreman"},
                        {"description", paper_reference},
                        {"equation", "Eqs. (9) to (18) of the paper; variants are named in the material file"},
                        {"parameters", parameters(material)}};
-    if (const std::string statistics = fit_statistics(material); !statistics.empty()) model["comments"] = statistics;
-    ordered_json json{
-        {"schema", schema},
-        {"id", "urn:uuid:" + uuid_of(material.text())},
-        {"type", "BRDF"},
-        {"timestamp", timestamp(source)},
-        {"provenance",
-         {{"organization", organization_}, {"location", location}, {"email", email_}, {"contact_person", contact_}}}};
-    if (!material.license().empty()) json["license"] = {{"type", material.license()}, {"rights_holder", not_stated}};
+    if (const std::string statistics = fit_statistics(material); !statistics.empty())
+      model["comments"] = statistics;
+    ordered_json json{{"schema", schema},
+                      {"id", "urn:uuid:" + uuid_of(material.text())},
+                      {"type", "BRDF"},
+                      {"timestamp", timestamp(source)},
+                      {"provenance",
+                       {{"organization", organization_},
+                        {"location", location},
+                        {"email", email_},
+                        {"contact_person", contact_}}}};
+    if (!material.license().empty())
+      json["license"] = {{"type", material.license()}, {"rights_holder", not_stated}};
     json["description"] = material.description().empty() ? material.name() : material.description();
     json["method"] = "simulation";
     json["instrumentation"] = "NA";

@@ -17,8 +17,9 @@ std::uint64_t hash_of(std::string_view text, std::uint64_t hash) {
 
 void check_json_samples(std::string_view format, std::size_t samples) {
   if (samples > most_samples)
-    throw BadInput("{} samples are more than the {} that {}, being text, is written with: coarser axes, or --wavelength", samples,
-                   most_samples, format);
+    throw BadInput(
+        "{} samples are more than the {} that {}, being text, is written with: coarser axes, or --wavelength",
+        samples, most_samples, format);
 }
 
 std::string uuid_of(std::string_view text) {
@@ -28,7 +29,9 @@ std::string uuid_of(std::string_view text) {
                      (second >> 48 & 0x3fff) | 0x8000, second & 0xffffffffffffu);
 }
 
-std::string timestamp(const ExportSource& source) { return source.history().substr(0, source.history().find(' ')); }
+std::string timestamp(const ExportModel& source) {
+  return source.history().substr(0, source.history().find(' '));
+}
 
 std::string json_text(const nlohmann::ordered_json& value) {
   return value.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);

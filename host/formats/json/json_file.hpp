@@ -1,31 +1,33 @@
 // What the formats in JSON share.
 #pragma once
 
-#include <filesystem>
 #include <nlohmann/json.hpp>
+
+#include <filesystem>
 #include <string>
 #include <string_view>
 
 #include "host/base/error.hpp"
-#include "host/formats/export/export_source.hpp"
 #include "host/base/whole_file.hpp"
+#include "host/formats/export/export_model.hpp"
 
 namespace brdftab {
 
-/// Throws BadInput where a file would have more samples, of all bands together, than its readers can be expected to hold.
+/// Throws BadInput where a file would have more samples, of all bands together, than its readers can be
+/// expected to hold.
 void check_json_samples(std::string_view format, std::size_t samples);
 
 /// 8-4-4-4-12 hexadecimal digits, version 8 of RFC 9562: the same for the same text.
 std::string uuid_of(std::string_view text);
 
 /// The time of the file, as 2008-08-18T12:00:00Z, that its history begins with.
-std::string timestamp(const ExportSource& source);
+std::string timestamp(const ExportModel& source);
 
 /// As JSON writes it; text that is not UTF-8 is mended.
 std::string json_text(const nlohmann::ordered_json& value);
 
-/// `read(json)` of a file's content. Throws FileError where the file cannot be read, and BadInput `FILE: ...` where it is not
-/// JSON or `read` misses something.
+/// `read(json)` of a file's content. Throws FileError where the file cannot be read, and BadInput `FILE: ...`
+/// where it is not JSON or `read` misses something.
 template <class Read>
 auto read_json(const std::filesystem::path& file, const Read& read) {
   const std::string text = read_whole(file);

@@ -6,10 +6,10 @@
 #include <fstream>
 
 #include "host/base/error.hpp"
-#include "host/formats/registry.hpp"
-#include "host/formats/merl/merl_file.hpp"
-#include "host/model/surface_vector.hpp"
 #include "host/base/whole_file.hpp"
+#include "host/formats/merl/merl_file.hpp"
+#include "host/formats/registry.hpp"
+#include "host/model/surface_vector.hpp"
 
 namespace brdftab {
 namespace {
@@ -18,7 +18,8 @@ constexpr double invalid = -1;
 // Nearer to the horizon than 1e-4 degrees a node is on it but for rounding.
 constexpr double least_cosine = 1.7453e-6;
 
-// Where cell 0 has its value: at its centre, for readers that look cells up, or at its lower corner, for libbsdf.
+// Where cell 0 has its value: at its centre, for readers that look cells up, or at its lower corner, for
+// libbsdf.
 enum class Registration { center, node };
 
 double theta_h(int cell, Registration registration) {
@@ -26,8 +27,8 @@ double theta_h(int cell, Registration registration) {
   return i * i / MerlFile::cells_h;
 }
 
-// To the light and to the viewer, from the half-way vector, at azimuth 0, and the difference vector in the frame about it: x'
-// lies in its plane, away from the normal's side, y' is y.
+// To the light and to the viewer, from the half-way vector, at azimuth 0, and the difference vector in the
+// frame about it: x' lies in its plane, away from the normal's side, y' is y.
 std::pair<SurfaceVector, SurfaceVector> vectors(const SurfaceVector& h, const SurfaceVector& d) {
   const SurfaceVector across{d.x * h.z, d.y, -d.x * h.x};
   return {h * d.z + across, h * d.z + across * -1};
@@ -38,9 +39,10 @@ struct MerlValues {
   std::size_t below_zero = 0;  // colours outside sRGB, written as 0
 };
 
-MerlValues merl_values(const ExportSource& source, Registration registration) {
+MerlValues merl_values(const ExportModel& source, Registration registration) {
   const bool center = registration == Registration::center;
-  // Half a turn of phi_d, within which the first and the last are light and viewer exchanged, by the mirror plane.
+  // Half a turn of phi_d, within which the first and the last are light and viewer exchanged, by the mirror
+  // plane.
   const int phis = center ? MerlFile::cells_phi : MerlFile::cells_phi + 1;
   const double offset = center ? 0.5 : 0;
   Directions directions;
@@ -48,7 +50,8 @@ MerlValues merl_values(const ExportSource& source, Registration registration) {
   constexpr std::size_t none = static_cast<std::size_t>(-1);
   std::vector<SurfaceVector> differences;
   for (int d = 0; d < MerlFile::cells_d; ++d)
-    for (int phi = 0; phi < phis; ++phi) differences.push_back(SurfaceVector::from_degrees(d + offset, phi + offset));
+    for (int phi = 0; phi < phis; ++phi)
+      differences.push_back(SurfaceVector::from_degrees(d + offset, phi + offset));
   for (int h = 0; h < MerlFile::cells_h; ++h) {
     const SurfaceVector half = SurfaceVector::from_degrees(theta_h(h, registration), 0);
     for (const SurfaceVector& difference : differences) {
@@ -79,13 +82,15 @@ MerlValues merl_values(const ExportSource& source, Registration registration) {
   return result;
 }
 
-class MerlTable : public ExportedTable {
+class MerlReader : public ExportReader {
  public:
-  MerlTable(MerlFile file, Registration registration) : file_(std::move(file)), registration_(registration) {}
+  MerlReader(MerlFile file, Registration registration)
+      : file_(std::move(file)), registration_(registration) {}
 
   ExportChannels channels() const override { return ExportChannels::rgb; }
   std::string interpolation() const override {
-    return registration_ == Registration::center ? "cells, as the reference reader" : "linear interpolation, as libbsdf";
+    return registration_ == Registration::center ? "cells, as the reference reader"
+                                                 : "linear interpolation, as libbsdf";
   }
 
   std::vector<std::vector<double>> evaluate(const Directions& directions) const override {
@@ -100,7 +105,7 @@ class MerlTable : public ExportedTable {
     return f;
   }
 
-  std::unique_ptr<ExportedTable> rebuilt(const ExportSource& source, ValueErrors& errors) const override {
+  std::unique_ptr<ExportReader> rebuilt(const ExportModel& source, ValueErrors& errors) const override {
     MerlFile right = merl_values(source, registration_).file;
     for (int c = 0; c < 3; ++c)
       for (int h = 0; h < MerlFile::cells_h; ++h)
@@ -108,27 +113,31 @@ class MerlTable : public ExportedTable {
           for (int phi = 0; phi < MerlFile::cells_phi; ++phi) {
             const std::size_t at = MerlFile::index(c, h, d, phi);
             // Readers take what is below 0, a direction below the horizon, for 0.
-            const auto f = [&](const MerlFile& file) { return MerlFile::scale(c) * std::max(file.values[at], 0.); };
+            const auto f = [&](const MerlFile& file) {
+              return MerlFile::scale(c) * std::max(file.values[at], 0.);
+            };
             errors.compare(f(file_), f(right), [&] {
               return fmt::format("{} in the cell {}, {}, {} of theta_h, theta_d, phi_d", "RGB"[c], h, d, phi);
             });
           }
-    return std::make_unique<MerlTable>(std::move(right), registration_);
+    return std::make_unique<MerlReader>(std::move(right), registration_);
   }
 
  private:
   double value(int channel, int h, int d, int phi) const {
-    return std::max(0., file_.values[MerlFile::index(channel, std::min(h, MerlFile::cells_h - 1),
-                                                     std::min(d, MerlFile::cells_d - 1), phi % MerlFile::cells_phi)]);
+    return std::max(
+        0., file_.values[MerlFile::index(channel, std::min(h, MerlFile::cells_h - 1),
+                                         std::min(d, MerlFile::cells_d - 1), phi % MerlFile::cells_phi)]);
   }
   // As the reference reader does.
   double cell(int channel, const HalfDifference& at) const {
-    return value(channel, static_cast<int>(std::sqrt(at.theta_h * MerlFile::cells_h)), static_cast<int>(at.theta_d),
-                 std::min(static_cast<int>(at.phi_d), MerlFile::cells_phi - 1));
+    return value(channel, static_cast<int>(std::sqrt(at.theta_h * MerlFile::cells_h)),
+                 static_cast<int>(at.theta_d), std::min(static_cast<int>(at.phi_d), MerlFile::cells_phi - 1));
   }
   // As libbsdf does.
   double between_nodes(int channel, const HalfDifference& at) const {
-    const int h = std::min(static_cast<int>(std::sqrt(at.theta_h * MerlFile::cells_h)), MerlFile::cells_h - 1);
+    const int h =
+        std::min(static_cast<int>(std::sqrt(at.theta_h * MerlFile::cells_h)), MerlFile::cells_h - 1);
     const int d = std::min(static_cast<int>(at.theta_d), MerlFile::cells_d - 1);
     const int phi = static_cast<int>(at.phi_d);
     const double low = theta_h(h, Registration::node), high = theta_h(h + 1, Registration::node);
@@ -149,42 +158,49 @@ class MerlTable : public ExportedTable {
 class MerlFormat : public ExportFormat {
  public:
   MerlFormat()
-      : ExportFormat({.name = "merl",
-                      .consumer = "BRDF Explorer, pbrt-v2, ALTA, dj_brdf, libbsdf and most readers of MERL's data",
-                      .extensions = {".binary"},
-                      .suffix = ".binary",
-                      .holds_non_reciprocal = false}) {}
+      : ExportFormat(
+            {.name = "merl",
+             .consumer = "BRDF Explorer, pbrt-v2, ALTA, dj_brdf, libbsdf and most readers of MERL's data",
+             .extensions = {".binary"},
+             .suffix = ".binary",
+             .holds_non_reciprocal = false}) {}
 
   void add_options(CLI::App& parser) override { add_reading_options(parser); }
   void add_reading_options(CLI::App& parser) override {
     parser
         .add_option("--merl-registration", registration_,
-                    "center (default): values at the centres of cells, for readers that look cells up; node: at i^2/90, j and k "
+                    "center (default): values at the centres of cells, for readers that look cells up; node: "
+                    "at i^2/90, j and k "
                     "degrees, for libbsdf, which interpolates")
         ->check(CLI::IsMember({"center", "node"}));
   }
 
-  std::vector<std::string> write(const std::filesystem::path& file, const ExportSource& source) const override {
+  std::vector<std::string> write(const std::filesystem::path& file,
+                                 const ExportModel& source) const override {
     const auto [merl, below_zero] = merl_values(source, registration());
     write_whole(file, merl.bytes());
     if (below_zero == 0) return {};
-    return {fmt::format("{} values of {} lie outside the colours of linear sRGB, below 0: written as 0", below_zero,
-                        merl.values.size())};
+    return {fmt::format("{} values of {} lie outside the colours of linear sRGB, below 0: written as 0",
+                        below_zero, merl.values.size())};
   }
 
   bool recognises(const std::filesystem::path&, std::string_view beginning) const override {
-    constexpr std::array<std::int32_t, 3> dimensions{MerlFile::cells_h, MerlFile::cells_d, MerlFile::cells_phi};
-    return beginning.size() > sizeof(dimensions) && std::memcmp(beginning.data(), dimensions.data(), sizeof(dimensions)) == 0;
+    constexpr std::array<std::int32_t, 3> dimensions{MerlFile::cells_h, MerlFile::cells_d,
+                                                     MerlFile::cells_phi};
+    return beginning.size() > sizeof(dimensions) &&
+           std::memcmp(beginning.data(), dimensions.data(), sizeof(dimensions)) == 0;
   }
 
-  std::unique_ptr<ExportedTable> read(const std::filesystem::path& file) const override {
+  std::unique_ptr<ExportReader> read(const std::filesystem::path& file) const override {
     std::ifstream in(file, std::ios::binary);
     if (!in) throw FileError("{}: cannot be opened", file.string());
-    return std::make_unique<MerlTable>(MerlFile::read(in, file.string()), registration());
+    return std::make_unique<MerlReader>(MerlFile::read(in, file.string()), registration());
   }
 
  private:
-  Registration registration() const { return registration_ == "node" ? Registration::node : Registration::center; }
+  Registration registration() const {
+    return registration_ == "node" ? Registration::node : Registration::center;
+  }
 
   std::string registration_ = "center";
 };

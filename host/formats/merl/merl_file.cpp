@@ -25,7 +25,8 @@ struct Stencil {
 Stencil stencil(double position) {
   const double below = std::floor(position), t = position - below;
   return {static_cast<int>(below) - 1,
-          {-t * (t - 1) * (t - 2) / 6, (t + 1) * (t - 1) * (t - 2) / 2, -(t + 1) * t * (t - 2) / 2, (t + 1) * t * (t - 1) / 6}};
+          {-t * (t - 1) * (t - 2) / 6, (t + 1) * (t - 1) * (t - 2) / 2, -(t + 1) * t * (t - 2) / 2,
+           (t + 1) * t * (t - 1) / 6}};
 }
 
 // Below cell 0 lies cell 0 of the other side.
@@ -39,7 +40,8 @@ HalfDifference half_difference(const SurfaceVector& to_light, const SurfaceVecto
   const double c = sine > 0 ? h.x / sine : 1, s = sine > 0 ? h.y / sine : 0;
   // The light, turned by -phi_h about the normal and then by -theta_h about y.
   const double x = c * to_light.x + s * to_light.y;
-  const SurfaceVector d{x * h.z - to_light.z * sine, c * to_light.y - s * to_light.x, x * sine + to_light.z * h.z};
+  const SurfaceVector d{x * h.z - to_light.z * sine, c * to_light.y - s * to_light.x,
+                        x * sine + to_light.z * h.z};
   return {h.theta(), d.theta(), d.phi()};
 }
 
@@ -49,14 +51,16 @@ double MerlFile::scale(int channel) {
 }
 
 double MerlFile::between_centers(int channel, const HalfDifference& at) const {
-  const Stencil h = stencil(std::sqrt(at.theta_h * cells_h) - 0.5), d = stencil(at.theta_d - 0.5), phi = stencil(at.phi_d - 0.5);
+  const Stencil h = stencil(std::sqrt(at.theta_h * cells_h) - 0.5), d = stencil(at.theta_d - 0.5),
+                phi = stencil(at.phi_d - 0.5);
   double ln_f = 0;
   for (int i = 0; i < 4; ++i)
     for (int j = 0; j < 4; ++j)
       for (int k = 0; k < 4; ++k) {
         const int row = mirrored(h.first + i), column = mirrored(d.first + j);
         if (row >= cells_h || column >= cells_d) return std::numeric_limits<double>::quiet_NaN();
-        const double value = values[index(channel, row, column, ((phi.first + k) % cells_phi + cells_phi) % cells_phi)];
+        const double value =
+            values[index(channel, row, column, ((phi.first + k) % cells_phi + cells_phi) % cells_phi)];
         if (!(value > 0)) return std::numeric_limits<double>::quiet_NaN();
         ln_f += h.share[i] * d.share[j] * phi.share[k] * std::log(value);
       }
@@ -66,9 +70,11 @@ double MerlFile::between_centers(int channel, const HalfDifference& at) const {
 MerlFile MerlFile::read(std::istream& in, const std::string& source) {
   Dimensions found{};
   in.read(reinterpret_cast<char*>(found.data()), sizeof(found));
-  if (!in || found != dimensions) throw BadInput("{}: is no MERL file: it must begin with the dimensions 90, 90, 180", source);
+  if (!in || found != dimensions)
+    throw BadInput("{}: is no MERL file: it must begin with the dimensions 90, 90, 180", source);
   MerlFile file;
-  in.read(reinterpret_cast<char*>(file.values.data()), static_cast<std::streamsize>(file.values.size() * sizeof(double)));
+  in.read(reinterpret_cast<char*>(file.values.data()),
+          static_cast<std::streamsize>(file.values.size() * sizeof(double)));
   if (!in) throw BadInput("{}: has fewer than the {} values of a MERL file", source, file.values.size());
   return file;
 }

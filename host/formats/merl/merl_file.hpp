@@ -1,4 +1,5 @@
-// MERL's binary files: f over the half-way and difference angles of Rusinkiewicz, 90 x 90 x 180 cells in three channels.
+// MERL's binary files: f over the half-way and difference angles of Rusinkiewicz, 90 x 90 x 180 cells in
+// three channels.
 #pragma once
 
 #include <istream>
@@ -16,7 +17,8 @@ struct HalfDifference {
 /// Of a pair of vectors away from the surface.
 HalfDifference half_difference(const SurfaceVector& to_light, const SurfaceVector& to_viewer);
 
-/// Cell i of theta_h reaches from i^2/90 to (i + 1)^2/90 degrees, cells of theta_d and phi_d are a degree wide.
+/// Cell i of theta_h reaches from i^2/90 to (i + 1)^2/90 degrees, cells of theta_d and phi_d are a degree
+/// wide.
 struct MerlFile {
   static constexpr int cells_h = 90;
   static constexpr int cells_d = 90;
@@ -32,9 +34,9 @@ struct MerlFile {
   /// f in 1/sr of one that is stored.
   static double scale(int channel);
 
-  /// f in 1/sr at angles in degrees, between the centres of cells: ln f by cubic polynomials through the four nearest centres
-  /// along each axis, theta_h by its cells' numbers. f is even in theta_h and theta_d, with period 180 degrees in phi_d. nan
-  /// where one of those cells holds no light.
+  /// f in 1/sr at angles in degrees, between the centres of cells: ln f by cubic polynomials through the four
+  /// nearest centres along each axis, theta_h by its cells' numbers. f is even in theta_h and theta_d, with
+  /// period 180 degrees in phi_d. nan where one of those cells holds no light.
   double between_centers(int channel, const HalfDifference& at) const;
 
   /// Throws BadInput where it is no such file.

@@ -5,8 +5,8 @@
 #include <random>
 
 #include "host/base/error.hpp"
-#include "host/formats/text/alta_astm_measurement.hpp"
 #include "host/formats/merl/merl_file.hpp"
+#include "host/formats/text/alta_astm_measurement.hpp"
 #include "host/model/surface_vector.hpp"
 
 namespace brdftab {
@@ -67,14 +67,20 @@ std::vector<Direction> over_hemisphere(double theta_i, std::size_t count, Random
 
 }  // namespace
 
-Measurement read_merl_measurement(std::istream& in, const std::string& source, const MeasurementOptions& options) {
-  if (options.angles) throw BadInput("{}: --angles {}: a MERL file holds no angles", source, options.angles->name);
+Measurement read_merl_measurement(std::istream& in, const std::string& source,
+                                  const MeasurementOptions& options) {
+  if (options.angles)
+    throw BadInput("{}: --angles {}: a MERL file holds no angles", source, options.angles->name);
   const MerlFile file = MerlFile::read(in, source);
-  Measurement measurement{
-      .source = source, .channels = {"R", "G", "B"}, .samples = {}, .warnings = {}, .mean_of_exchanges = true};
+  Measurement measurement{.source = source,
+                          .channels = {"R", "G", "B"},
+                          .samples = {},
+                          .warnings = {},
+                          .mean_of_exchanges = true};
   Random random(options.merl_seed);
   const bool is_in_plane = options.merl_samples == 0;
-  // Over the hemisphere without the normal, where the azimuth of incidence, which V_m takes, is that of no cell.
+  // Over the hemisphere without the normal, where the azimuth of incidence, which V_m takes, is that of no
+  // cell.
   const int first = is_in_plane ? 0 : step_i;
   constexpr std::size_t incidences = largest_theta / step_i;
   std::size_t invalid = 0, taken = 0, remainder = options.merl_samples % incidences;
@@ -82,28 +88,33 @@ Measurement read_merl_measurement(std::istream& in, const std::string& source, c
     const std::size_t count = options.merl_samples / incidences + (remainder > 0 ? 1 : 0);
     remainder -= remainder > 0 ? 1 : 0;
     for (const auto& [theta_s, phi] : is_in_plane ? in_plane() : over_hemisphere(theta_i, count, random)) {
-      const HalfDifference at =
-          half_difference(SurfaceVector::from_degrees(theta_i, incident_azimuth(0)), SurfaceVector::from_degrees(theta_s, phi));
+      const HalfDifference at = half_difference(SurfaceVector::from_degrees(theta_i, incident_azimuth(0)),
+                                                SurfaceVector::from_degrees(theta_s, phi));
       ++taken;
       for (int c = 0; c < 3; ++c) {
         const double brdf = file.between_centers(c, at);
         if (std::isnan(brdf))
           ++invalid;
         else
-          measurement.samples.push_back(
-              {.pair = {double(theta_i), theta_s, phi, 0}, .brdf = brdf, .channel = static_cast<std::size_t>(c)});
+          measurement.samples.push_back({.pair = {double(theta_i), theta_s, phi, 0},
+                                         .brdf = brdf,
+                                         .channel = static_cast<std::size_t>(c)});
       }
     }
   }
   measurement.notes.push_back(fmt::format(
-      "{} directions{}, in {} cells: theta_i {} to {} by {}; ln f is interpolated between the centres of cells, each the mean "
-      "over about a degree; f is the mean of both orders of light and view, and so is a model's beside it: f of one order is not "
+      "{} directions{}, in {} cells: theta_i {} to {} by {}; ln f is interpolated between the centres of "
+      "cells, each the mean "
+      "over about a degree; f is the mean of both orders of light and view, and so is a model's beside it: f "
+      "of one order is not "
       "in the file, and differs from it the less with --model normalization=reciprocal",
       taken,
-      is_in_plane ? " in plane"
-                  : fmt::format(" over the hemisphere (--merl-samples), drawn with seed {} (--merl-seed), {:.0f} % of them "
-                                "uniform in solid angle, the others near the mirror and retro directions",
-                                options.merl_seed, 100 * (1 - near_mirror - near_retro)),
+      is_in_plane
+          ? " in plane"
+          : fmt::format(
+                " over the hemisphere (--merl-samples), drawn with seed {} (--merl-seed), {:.0f} % of them "
+                "uniform in solid angle, the others near the mirror and retro directions",
+                options.merl_seed, 100 * (1 - near_mirror - near_retro)),
       MerlFile::plane, first, largest_theta, step_i));
   if (invalid > 0)
     measurement.warnings.push_back(

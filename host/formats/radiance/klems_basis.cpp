@@ -25,7 +25,8 @@ std::vector<PolarNode> polar_nodes(const KlemsBand& band, double step) {
   std::vector<PolarNode> nodes;
   for (double k = 0; k < count; ++k) {
     const double first = band.first + k * width;
-    nodes.push_back({first + width / 2, (sin2(first + width) - sin2(first)) / (sin2(band.last) - sin2(band.first))});
+    nodes.push_back(
+        {first + width / 2, (sin2(first + width) - sin2(first)) / (sin2(band.last) - sin2(band.first))});
   }
   return nodes;
 }
@@ -42,13 +43,15 @@ std::vector<double> graded_azimuths() {
   return phi;
 }
 
-// A function of the azimuth that is even and has a period of 360 degrees, linear between nodes; its averages come from the
-// second antiderivative of its deviation from the mean, which is even and periodic too.
+// A function of the azimuth that is even and has a period of 360 degrees, linear between nodes; its averages
+// come from the second antiderivative of its deviation from the mean, which is even and periodic too.
 class EvenAzimuth {
  public:
-  EvenAzimuth(const std::vector<double>& phi, const double* values) : phi_(phi), deviation_(values, values + phi.size()) {
+  EvenAzimuth(const std::vector<double>& phi, const double* values)
+      : phi_(phi), deviation_(values, values + phi.size()) {
     double sum = 0;
-    for (std::size_t k = 0; k + 1 < phi.size(); ++k) sum += (phi[k + 1] - phi[k]) * (values[k] + values[k + 1]) / 2;
+    for (std::size_t k = 0; k + 1 < phi.size(); ++k)
+      sum += (phi[k + 1] - phi[k]) * (values[k] + values[k + 1]) / 2;
     mean_ = sum / 180;
     for (double& value : deviation_) value -= mean_;
     first_.assign(phi.size(), 0);
@@ -105,7 +108,7 @@ std::vector<int> azimuth_differences(const KlemsBand& in, const KlemsBand& out) 
 // By difference of azimuth, [band of the material], for one band of patches each.
 using PairValues = std::map<int, std::vector<double>>;
 
-PairValues averages(const ExportSource& source, const KlemsBand& in, const KlemsBand& out) {
+PairValues averages(const ExportModel& source, const KlemsBand& in, const KlemsBand& out) {
   static const std::vector<double> phi = graded_azimuths();
   const auto nodes_i = polar_nodes(in, step_theta_i), nodes_s = polar_nodes(out, step_theta_s);
   Directions directions;
@@ -124,16 +127,18 @@ PairValues averages(const ExportSource& source, const KlemsBand& in, const Klems
         row += phi.size();
         for (const int difference : differences)
           result[difference][band] +=
-              i.weight * s.weight * over_azimuth.average(degrees_of(difference, in, out), in.width(), out.width());
+              i.weight * s.weight *
+              over_azimuth.average(degrees_of(difference, in, out), in.width(), out.width());
       }
   }
   return result;
 }
 
-PairValues centres(const ExportSource& source, const KlemsBand& in, const KlemsBand& out) {
+PairValues centres(const ExportModel& source, const KlemsBand& in, const KlemsBand& out) {
   const auto differences = azimuth_differences(in, out);
   Directions directions;
-  for (const int difference : differences) directions.add(in.centre, out.centre, degrees_of(difference, in, out));
+  for (const int difference : differences)
+    directions.add(in.centre, out.centre, degrees_of(difference, in, out));
   const auto f = source.evaluate(directions);
   PairValues result;
   for (std::size_t k = 0; k < differences.size(); ++k)
@@ -157,12 +162,13 @@ std::size_t klems_patch(double theta, double phi) {
   return first_patch(band) + static_cast<std::size_t>((nearest + patches) % patches);
 }
 
-std::vector<std::vector<double>> klems_matrix(const ExportSource& source, PatchValue value) {
+std::vector<std::vector<double>> klems_matrix(const ExportModel& source, PatchValue value) {
   std::vector<std::vector<double>> matrix(source.bands(), std::vector<double>(klems_patches * klems_patches));
   for (std::size_t i = 0; i < klems_bands.size(); ++i)
     for (std::size_t s = 0; s < klems_bands.size(); ++s) {
       const KlemsBand &in = klems_bands[i], &out = klems_bands[s];
-      const PairValues values = value == PatchValue::average ? averages(source, in, out) : centres(source, in, out);
+      const PairValues values =
+          value == PatchValue::average ? averages(source, in, out) : centres(source, in, out);
       for (int k_s = 0; k_s < out.patches; ++k_s)
         for (int k_i = 0; k_i < in.patches; ++k_i) {
           const auto& bands = values.at(azimuth_difference(in, k_i, out, k_s));

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 
-#include "host/formats/export/export_source.hpp"
+#include "host/formats/export/export_model.hpp"
 
 namespace brdftab {
 
@@ -31,16 +31,16 @@ inline constexpr std::size_t klems_patches = 145;
 /// The index of the first patch of a band.
 std::size_t first_patch(std::size_t band);
 
-/// The patch of a direction, degrees. Azimuths are those of the light's travel and of scatter, so that the mirror direction
-/// of a patch has the same index.
+/// The patch of a direction, degrees. Azimuths are those of the light's travel and of scatter, so that the
+/// mirror direction of a patch has the same index.
 std::size_t klems_patch(double theta, double phi);
 
 /// What f is over pairs of patches.
 enum class PatchValue { average, centre };
 
-/// [band of the material][scatter patch][incidence patch], 1/sr. An average is weighted by the projected solid angles of both
-/// patches: of f at nodes of at most 0.5 and 1 degree in theta_s and theta_i, linear between azimuths that lie densest where
-/// lobes do. At the centre f is taken at the band's nominal angle.
-std::vector<std::vector<double>> klems_matrix(const ExportSource& source, PatchValue value);
+/// [band of the material][scatter patch][incidence patch], 1/sr. An average is weighted by the projected
+/// solid angles of both patches: of f at nodes of at most 0.5 and 1 degree in theta_s and theta_i, linear
+/// between azimuths that lie densest where lobes do. At the centre f is taken at the band's nominal angle.
+std::vector<std::vector<double>> klems_matrix(const ExportModel& source, PatchValue value);
 
 }  // namespace brdftab

@@ -5,15 +5,15 @@
 #include <numbers>
 
 #include "host/base/error.hpp"
-#include "host/formats/export/export_text.hpp"
-#include "host/formats/registry.hpp"
-#include "host/formats/radiance/klems_basis.hpp"
-#include "host/formats/radiance/radiance_table.hpp"
-#include "host/formats/radiance/tensor_tree.hpp"
 #include "host/base/numbers.hpp"
-#include "host/table/table_content.hpp"
 #include "host/base/whole_file.hpp"
 #include "host/base/xml_text.hpp"
+#include "host/formats/export/export_text.hpp"
+#include "host/formats/radiance/klems_basis.hpp"
+#include "host/formats/radiance/radiance_reader.hpp"
+#include "host/formats/radiance/tensor_tree.hpp"
+#include "host/formats/registry.hpp"
+#include "host/table/table_content.hpp"
 
 namespace brdftab {
 namespace {
@@ -26,7 +26,8 @@ std::string angle_basis() {
   std::string text = fmt::format("<AngleBasis>\n<AngleBasisName>{}</AngleBasisName>\n", klems_name);
   for (const KlemsBand& band : klems_bands)
     text += fmt::format(
-        "<AngleBasisBlock><Theta>{}</Theta><nPhis>{}</nPhis><ThetaBounds><LowerTheta>{}</LowerTheta><UpperTheta>{}</UpperTheta>"
+        "<AngleBasisBlock><Theta>{}</Theta><nPhis>{}</nPhis><ThetaBounds><LowerTheta>{}</"
+        "LowerTheta><UpperTheta>{}</UpperTheta>"
         "</ThetaBounds></AngleBasisBlock>\n",
         band.centre, band.patches, band.first, band.last);
   return text + "</AngleBasis>\n";
@@ -41,7 +42,8 @@ std::string matrix_text(const std::vector<double>& matrix) {
 
 std::vector<double> read_matrix(const XmlText& data) {
   for (const auto name : {"ColumnAngleBasis", "RowAngleBasis"})
-    if (data.text(name) != klems_name) data.refuse(name, fmt::format("{}; only {} is read", data.text(name), klems_name));
+    if (data.text(name) != klems_name)
+      data.refuse(name, fmt::format("{}; only {} is read", data.text(name), klems_name));
   std::vector<double> matrix;
   std::string_view rest = data.text("ScatteringData");
   while (!(rest = trimmed(rest)).empty()) {
@@ -52,7 +54,8 @@ std::vector<double> read_matrix(const XmlText& data) {
     rest.remove_prefix(std::min(end + 1, rest.size()));
   }
   if (matrix.size() != klems_patches * klems_patches)
-    data.refuse("ScatteringData", fmt::format("{} values; {} are needed", matrix.size(), klems_patches * klems_patches));
+    data.refuse("ScatteringData",
+                fmt::format("{} values; {} are needed", matrix.size(), klems_patches * klems_patches));
   return matrix;
 }
 
@@ -60,7 +63,8 @@ std::vector<double> read_matrix(const XmlText& data) {
 Channels read_matrices(const XmlText& xml) {
   Channels matrices(radiance_wavelengths.size());
   for (const XmlText& data : xml.elements("WavelengthData")) {
-    const auto wavelength = std::find(radiance_wavelengths.begin(), radiance_wavelengths.end(), data.text("Wavelength"));
+    const auto wavelength =
+        std::find(radiance_wavelengths.begin(), radiance_wavelengths.end(), data.text("Wavelength"));
     if (wavelength == radiance_wavelengths.end()) continue;
     auto& matrix = matrices[static_cast<std::size_t>(wavelength - radiance_wavelengths.begin())];
     if (!matrix.empty()) data.refuse("Wavelength", fmt::format("{} is there twice", *wavelength));
@@ -73,7 +77,8 @@ Channels read_matrices(const XmlText& xml) {
 TensorTree read_tree(const XmlText& xml) {
   for (const XmlText& data : xml.elements("WavelengthData")) {
     if (data.text("Wavelength") != radiance_wavelengths.front()) {
-      data.refuse("Wavelength", fmt::format("{}; trees are read of luminance alone", data.text("Wavelength")));
+      data.refuse("Wavelength",
+                  fmt::format("{}; trees are read of luminance alone", data.text("Wavelength")));
     }
     try {
       return TensorTree::parsed(data.text("ScatteringData"));
@@ -94,41 +99,47 @@ class RadianceFormat : public ExportFormat {
 
   void add_options(CLI::App& group) override {
     group
-        .add_option(
-            "--radiance-basis", basis_,
-            "tree: tensor tree of rank 3, cells cut where f varies (default for one band); klems: matrix of 145 x 145 Klems "
-            "patches (default for several, as colours)")
+        .add_option("--radiance-basis", basis_,
+                    "tree: tensor tree of rank 3, cells cut where f varies (default for one band); klems: "
+                    "matrix of 145 x 145 Klems "
+                    "patches (default for several, as colours)")
         ->check(CLI::IsMember({"tree", "klems"}));
     group
         .add_option("--radiance-values", values_,
-                    "average (default): the mean of f over each cell or pair of patches, which keeps its integrals; centre: f at "
+                    "average (default): the mean of f over each cell or pair of patches, which keeps its "
+                    "integrals; centre: f at "
                     "its centre")
         ->check(CLI::IsMember({"average", "centre"}));
     group.add_option("--radiance-depth", depth_, "Tree: at most 2^N cells across, N of 3 to 9; default 8")
         ->check(CLI::Range(3, 9));
     group
-        .add_option("--radiance-tolerance", tolerance_,
-                    "Tree: a cell is cut in eight where f varies over it by more than this share; default 0.1")
+        .add_option(
+            "--radiance-tolerance", tolerance_,
+            "Tree: a cell is cut in eight where f varies over it by more than this share; default 0.1")
         ->check(CLI::Range(1e-4, 10.));
   }
 
-  std::vector<std::string> write(const std::filesystem::path& file, const ExportSource& source) const override {
+  std::vector<std::string> write(const std::filesystem::path& file,
+                                 const ExportModel& source) const override {
     std::vector<std::string> notes;
     std::string definition;
     std::vector<std::string> data;
     const bool klems = basis_ == "klems" || (basis_.empty() && source.bands() > 1);
     if (!klems && source.bands() > 1)
       throw BadInput(
-          "--radiance-basis tree: Radiance mixes up the colours of a tensor tree of rank 3; klems holds them, and "
+          "--radiance-basis tree: Radiance mixes up the colours of a tensor tree of rank 3; klems holds "
+          "them, and "
           "--wavelength takes one band");
     if (klems) {
       definition = fmt::format("<IncidentDataStructure>Columns</IncidentDataStructure>\n{}", angle_basis());
       const auto value = values_ == "average" ? PatchValue::average : PatchValue::centre;
-      for (const auto& matrix : radiance_colours(source, klems_matrix(source, value))) data.push_back(matrix_text(matrix));
+      for (const auto& matrix : radiance_colours(source, klems_matrix(source, value)))
+        data.push_back(matrix_text(matrix));
     } else {
       definition = fmt::format("<IncidentDataStructure>{}</IncidentDataStructure>\n", tree_name);
       const TensorTree tree = grown(source);
-      for (std::size_t channel = 0; channel < tree.channels(); ++channel) data.push_back(tree.text(channel) + '\n');
+      for (std::size_t channel = 0; channel < tree.channels(); ++channel)
+        data.push_back(tree.text(channel) + '\n');
       notes.push_back(fmt::format("a tensor tree of {} cells", tree.leaves()));
     }
     const bool colour = data.size() == 3;
@@ -139,11 +150,14 @@ class RadianceFormat : public ExportFormat {
     for (const auto& line : description_lines(source, colour ? ExportChannels::xyz : ExportChannels::bands))
       text += xml_comment(line) + '\n';
     text += fmt::format(
-        "-->\n<WindowElementType>System</WindowElementType>\n<FileType>BSDF</FileType>\n<Optical>\n<Layer>\n<Material>\n"
-        "<Name>{}</Name>\n<Manufacturer>{}</Manufacturer>\n<DeviceType>Other</DeviceType>\n</Material>\n<DataDefinition>\n"
+        "-->\n<WindowElementType>System</WindowElementType>\n<FileType>BSDF</"
+        "FileType>\n<Optical>\n<Layer>\n<Material>\n"
+        "<Name>{}</Name>\n<Manufacturer>{}</Manufacturer>\n<DeviceType>Other</DeviceType>\n</"
+        "Material>\n<DataDefinition>\n"
         "{}</DataDefinition>\n",
-        xml_escaped(source.material().name()), xml_escaped(program_source), definition);
-    for (std::size_t channel = 0; channel < data.size(); ++channel) text += wavelength_data(source, klems, channel, data);
+        xml_escaped(source.material().name()), xml_escaped(program_version), definition);
+    for (std::size_t channel = 0; channel < data.size(); ++channel)
+      text += wavelength_data(source, klems, channel, data);
     text += "</Layer>\n</Optical>\n</WindowElement>\n";
     write_whole(file, text);
     return notes;
@@ -153,13 +167,14 @@ class RadianceFormat : public ExportFormat {
     return beginning.find("<?xml") != beginning.npos && beginning.find("<WindowElement") != beginning.npos;
   }
 
-  std::unique_ptr<ExportedTable> read(const std::filesystem::path& file) const override {
+  std::unique_ptr<ExportReader> read(const std::filesystem::path& file) const override {
     const std::string text = read_whole(file);
     const XmlText xml(text, file.string());
     Description description;
     for (const std::string& line : xml.comment_lines()) description.read(line);
     const auto structure = xml.text("IncidentDataStructure");
-    if (structure == "Columns") return klems_table(std::move(description), one_or_three(xml, read_matrices(xml)));
+    if (structure == "Columns")
+      return klems_table(std::move(description), one_or_three(xml, read_matrices(xml)));
     if (structure == tree_name) return tree_table(std::move(description), read_tree(xml));
     xml.refuse("IncidentDataStructure", fmt::format("{}; Columns and {} are read", structure, tree_name));
   }
@@ -167,11 +182,12 @@ class RadianceFormat : public ExportFormat {
  private:
   static Channels one_or_three(const XmlText& xml, Channels channels) {
     if (channels.size() != 1 && channels.size() != 3)
-      xml.refuse("WavelengthData", fmt::format("{} channels of luminance and colour; there must be 1 or 3", channels.size()));
+      xml.refuse("WavelengthData",
+                 fmt::format("{} channels of luminance and colour; there must be 1 or 3", channels.size()));
     return channels;
   }
 
-  TensorTree grown(const ExportSource& source) const {
+  TensorTree grown(const ExportModel& source) const {
     // The mean of f by which darkness is judged: of a diffuse surface with the same reflectance.
     const std::array<double, 1> near_normal{30.};
     double reflectance = 0;
@@ -189,19 +205,23 @@ class RadianceFormat : public ExportFormat {
          .average = values_ == "average"});
   }
 
-  static std::string wavelength_data(const ExportSource& source, bool klems, std::size_t channel,
+  static std::string wavelength_data(const ExportModel& source, bool klems, std::size_t channel,
                                      const std::vector<std::string>& data) {
     const bool colour = data.size() == 3;
     const std::string basis =
-        klems ? fmt::format("<ColumnAngleBasis>{0}</ColumnAngleBasis>\n<RowAngleBasis>{0}</RowAngleBasis>\n", klems_name)
+        klems ? fmt::format("<ColumnAngleBasis>{0}</ColumnAngleBasis>\n<RowAngleBasis>{0}</RowAngleBasis>\n",
+                            klems_name)
               : "<AngleBasis>LBNL/Shirley-Chiu</AngleBasis>\n";
     // The side that the normal points to is the back of WINDOW's windows.
     return fmt::format(
         "<WavelengthData>\n<LayerNumber>System</LayerNumber>\n<Wavelength unit=\"Integral\">{}</Wavelength>\n"
-        "<SourceSpectrum>{}</SourceSpectrum>\n<DetectorSpectrum>{}</DetectorSpectrum>\n<WavelengthDataBlock>\n"
-        "<WavelengthDataDirection>Reflection Back</WavelengthDataDirection>\n{}<ScatteringDataType>BRDF</ScatteringDataType>\n"
+        "<SourceSpectrum>{}</SourceSpectrum>\n<DetectorSpectrum>{}</"
+        "DetectorSpectrum>\n<WavelengthDataBlock>\n"
+        "<WavelengthDataDirection>Reflection "
+        "Back</WavelengthDataDirection>\n{}<ScatteringDataType>BRDF</ScatteringDataType>\n"
         "<ScatteringData>\n{}</ScatteringData>\n</WavelengthDataBlock>\n</WavelengthData>\n",
-        radiance_wavelengths[channel], colour ? fmt::format("CIE Illuminant {}", name_of(source.illuminant())) : "None",
+        radiance_wavelengths[channel],
+        colour ? fmt::format("CIE Illuminant {}", name_of(source.illuminant())) : "None",
         colour ? "CIE 1931 2 degree" : "None", basis, data[channel]);
   }
 

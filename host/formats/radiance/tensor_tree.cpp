@@ -9,7 +9,6 @@
 #include <numbers>
 
 #include "host/base/error.hpp"
-#include "host/base/interrupt.hpp"
 #include "host/base/numbers.hpp"
 
 namespace brdftab {
@@ -24,8 +23,8 @@ struct Square {
   double a, b;
 };
 
-// P. Shirley and K. Chiu, "A low distortion map between disk and square", 1997: quarters of the square to quarters of the
-// disk, the radius along the axis and the azimuth linear across.
+// P. Shirley and K. Chiu, "A low distortion map between disk and square", 1997: quarters of the square to
+// quarters of the disk, the radius along the axis and the azimuth linear across.
 Square disk_from_square(const Square& square) {
   const double a = 2 * square.a - 1, b = 2 * square.b - 1;
   const bool along_a = std::abs(a) > std::abs(b);
@@ -68,9 +67,11 @@ void add(Directions& directions, const TreePoint& point) {
 }
 
 TreePoint tree_point(const Directions& directions, std::size_t k) {
-  const Square square = square_from_polar(std::sin(directions.theta_s[k] / degrees), directions.phi[k] / degrees);
+  const Square square =
+      square_from_polar(std::sin(directions.theta_s[k] / degrees), directions.phi[k] / degrees);
   // The half of the cube that is used ends below 1/2.
-  return {std::min(0.5 - 0.5 * std::sin(directions.theta_i[k] / degrees), std::nextafter(0.5, 0.)), square.a, square.b};
+  return {std::min(0.5 - 0.5 * std::sin(directions.theta_i[k] / degrees), std::nextafter(0.5, 0.)), square.a,
+          square.b};
 }
 
 void TensorTree::cut(std::size_t node) {
@@ -95,11 +96,11 @@ TensorTree TensorTree::refined(const Function& function, const TreeRefinement& r
   for (int level = 1; !cells.empty(); ++level, size /= 2) {
     std::vector<Cell> next;
     for (std::size_t begin = 0; begin < cells.size(); begin += cells_at_once) {
-      stop_if_interrupted();
       const std::size_t end = std::min(begin + cells_at_once, cells.size());
       std::vector<TreePoint> points;
       for (std::size_t c = begin; c < end; ++c) {
-        for (std::size_t k = 0; k < eighths; ++k) points.push_back(moved(corner_of_eighth(cells[c].corner, size, k), size / 4));
+        for (std::size_t k = 0; k < eighths; ++k)
+          points.push_back(moved(corner_of_eighth(cells[c].corner, size, k), size / 4));
         if (!refinement.average) points.push_back(moved(cells[c].corner, size / 2));
       }
       const std::size_t stride = points.size() / (end - begin);
@@ -119,8 +120,9 @@ TensorTree TensorTree::refined(const Function& function, const TreeRefinement& r
             next.push_back({tree.child(cells[c].node, k), corner_of_eighth(cells[c].corner, size, k)});
         } else {
           for (std::size_t channel = 0; channel < f.size(); ++channel)
-            tree.values_[channel][cells[c].node] =
-                static_cast<float>(refinement.average ? mean(f[channel]) : f[channel][static_cast<std::size_t>(first) + eighths]);
+            tree.values_[channel][cells[c].node] = static_cast<float>(
+                refinement.average ? mean(f[channel])
+                                   : f[channel][static_cast<std::size_t>(first) + eighths]);
         }
       }
     }
@@ -132,7 +134,8 @@ TensorTree TensorTree::refined(const Function& function, const TreeRefinement& r
 }
 
 std::size_t TensorTree::leaves() const {
-  return static_cast<std::size_t>(std::count_if(first_child_.begin(), first_child_.end(), [](auto first) { return first < 0; }));
+  return static_cast<std::size_t>(
+      std::count_if(first_child_.begin(), first_child_.end(), [](auto first) { return first < 0; }));
 }
 
 std::array<TreePoint, 9> TreeCell::centres() const {
@@ -174,7 +177,9 @@ double TensorTree::at(std::size_t channel, TreePoint point) const {
 }
 
 void TensorTree::print(std::size_t channel, std::size_t node, std::string& out) const {
-  const auto append = [&](std::size_t n) { fmt::format_to(std::back_inserter(out), " {:.7g}", values_[channel][n]); };
+  const auto append = [&](std::size_t n) {
+    fmt::format_to(std::back_inserter(out), " {:.7g}", values_[channel][n]);
+  };
   out += '{';
   if (is_leaf(node)) {
     append(node);
@@ -209,14 +214,16 @@ class TreeParser {
 
  private:
   char next() {
-    while (at_ < text_.size() && (std::isspace(static_cast<unsigned char>(text_[at_])) || text_[at_] == ',')) ++at_;
+    while (at_ < text_.size() && (std::isspace(static_cast<unsigned char>(text_[at_])) || text_[at_] == ','))
+      ++at_;
     return at_ < text_.size() ? text_[at_] : '\0';
   }
 
   void eat(char wanted) {
     const char found = next();
     if (found != wanted)
-      throw BadInput("expected {} and found {}", wanted, found == '\0' ? "the end" : excerpt(text_.substr(at_, 12)));
+      throw BadInput("expected {} and found {}", wanted,
+                     found == '\0' ? "the end" : excerpt(text_.substr(at_, 12)));
     ++at_;
   }
 
@@ -243,7 +250,8 @@ class TreeParser {
     eat('}');
   }
 
-  void fill(std::size_t n, const std::vector<float>& grid, std::size_t across, std::size_t corner, std::size_t size) {
+  void fill(std::size_t n, const std::vector<float>& grid, std::size_t across, std::size_t corner,
+            std::size_t size) {
     if (size == 1) {
       tree_.values_[0][n] = grid[corner];
       return;
@@ -251,8 +259,8 @@ class TreeParser {
     tree_.cut(n);
     const std::size_t half = size / 2;
     for (std::size_t k = 0; k < eighths; ++k)
-      fill(tree_.child(n, k), grid, across, corner + half * ((k & 1) * across * across + (k >> 1 & 1) * across + (k >> 2 & 1)),
-           half);
+      fill(tree_.child(n, k), grid, across,
+           corner + half * ((k & 1) * across * across + (k >> 1 & 1) * across + (k >> 2 & 1)), half);
   }
 
   std::string_view text_;

@@ -12,8 +12,9 @@
 
 namespace brdftab {
 
-/// A point of the hypercube of rank 3, for isotropic f: (1 - sin theta_i) / 2, and the direction of scatter, turned so that the
-/// light travels towards azimuth 0, on the square that Shirley and Chiu map the disk of direction cosines to.
+/// A point of the hypercube of rank 3, for isotropic f: (1 - sin theta_i) / 2, and the direction of scatter,
+/// turned so that the light travels towards azimuth 0, on the square that Shirley and Chiu map the disk of
+/// direction cosines to.
 using TreePoint = std::array<double, 3>;
 
 /// The pair of directions of a point whose first coordinate is below 1/2; the rest of the cube is not used.
@@ -70,14 +71,17 @@ class TensorTree {
   friend class TreeParser;
 
   bool is_leaf(std::size_t node) const { return first_child_[node] < 0; }
-  std::size_t child(std::size_t node, std::size_t k) const { return static_cast<std::size_t>(first_child_[node]) + k; }
+  std::size_t child(std::size_t node, std::size_t k) const {
+    return static_cast<std::size_t>(first_child_[node]) + k;
+  }
   void cut(std::size_t node);
   /// Makes `to` the image of `from` with the last coordinate reversed.
   void mirror(std::size_t from, std::size_t to);
   void print(std::size_t channel, std::size_t node, std::string& out) const;
   void collect(const TreeCell& cell, std::vector<TreeCell>& cells) const;
 
-  // By node; the eight children of a node that is cut lie together. Bit d of a child's number: the upper half in dimension d.
+  // By node; the eight children of a node that is cut lie together. Bit d of a child's number: the upper half
+  // in dimension d.
   std::vector<std::int32_t> first_child_{-1};
   std::vector<std::vector<float>> values_;  // [channel][node]
 };

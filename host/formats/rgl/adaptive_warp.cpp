@@ -41,7 +41,8 @@ std::size_t node_below(std::size_t nodes, double value, const Cumulative& cumula
 }  // namespace
 
 AxisPlace::AxisPlace(std::span<const float> axis, double value) {
-  const auto above = static_cast<std::size_t>(std::upper_bound(axis.begin(), axis.end(), value) - axis.begin());
+  const auto above =
+      static_cast<std::size_t>(std::upper_bound(axis.begin(), axis.end(), value) - axis.begin());
   lower = above == 0 ? 0 : above - 1;
   upper = std::min(above, axis.size() - 1);
   weight = lower == upper ? 0 : (value - axis[lower]) / (static_cast<double>(axis[upper]) - axis[lower]);
@@ -63,7 +64,8 @@ AdaptiveWarp::AdaptiveWarp(std::span<const float> densities, std::size_t rows, s
   const std::size_t squares = values_.size() / (rows * columns);
   row_integrals_.resize(values_.size());
   integrals_.resize(squares * rows);
-  const double row_step = 1 / static_cast<double>(rows - 1), column_step = 1 / static_cast<double>(columns - 1);
+  const double row_step = 1 / static_cast<double>(rows - 1),
+               column_step = 1 / static_cast<double>(columns - 1);
   for (std::size_t square = 0; square < squares; ++square) {
     const std::size_t first_row = square * rows, end = first_row + rows;
     for (std::size_t row = first_row; row < end; ++row) {
@@ -101,7 +103,8 @@ double AdaptiveWarp::integral(const AxisPlace& square, std::size_t row) const {
 AdaptiveWarp::Warped AdaptiveWarp::sample(const AxisPlace& square, SquarePoint uniform) const {
   const double row_steps = static_cast<double>(rows_ - 1), column_steps = static_cast<double>(columns_ - 1);
   const std::size_t row = node_below(rows_, uniform.y, [&](std::size_t r) { return integral(square, r); });
-  const double row_0 = row_integral(square, row, columns_ - 1), row_1 = row_integral(square, row + 1, columns_ - 1);
+  const double row_0 = row_integral(square, row, columns_ - 1),
+               row_1 = row_integral(square, row + 1, columns_ - 1);
   const double y = inverse_of_linear((uniform.y - integral(square, row)) * row_steps, row_0, row_1);
 
   const auto conditional = [&](std::size_t column) {
@@ -112,18 +115,23 @@ AdaptiveWarp::Warped AdaptiveWarp::sample(const AxisPlace& square, SquarePoint u
   const double v0 = std::lerp(value(square, row, column), value(square, row + 1, column), y);
   const double v1 = std::lerp(value(square, row, column + 1), value(square, row + 1, column + 1), y);
   const double x = inverse_of_linear((along - conditional(column)) * column_steps, v0, v1);
-  return {{(static_cast<double>(column) + x) / column_steps, (static_cast<double>(row) + y) / row_steps}, std::lerp(v0, v1, x)};
+  return {{(static_cast<double>(column) + x) / column_steps, (static_cast<double>(row) + y) / row_steps},
+          std::lerp(v0, v1, x)};
 }
 
 AdaptiveWarp::Warped AdaptiveWarp::invert(const AxisPlace& square, SquarePoint warped) const {
-  const double row_step = 1 / static_cast<double>(rows_ - 1), column_step = 1 / static_cast<double>(columns_ - 1);
+  const double row_step = 1 / static_cast<double>(rows_ - 1),
+               column_step = 1 / static_cast<double>(columns_ - 1);
   const Cell row(warped.y, rows_), column(warped.x, columns_);
-  const auto across = [&](auto&& of_row) { return std::lerp(of_row(row.node), of_row(row.node + 1), row.rest); };
+  const auto across = [&](auto&& of_row) {
+    return std::lerp(of_row(row.node), of_row(row.node + 1), row.rest);
+  };
   const double v0 = across([&](std::size_t r) { return value(square, r, column.node); });
   const double v1 = across([&](std::size_t r) { return value(square, r, column.node + 1); });
   const double along = across([&](std::size_t r) { return row_integral(square, r, column.node); }) +
                        column_step * integral_of_linear(column.rest, v0, v1);
-  const double row_0 = row_integral(square, row.node, columns_ - 1), row_1 = row_integral(square, row.node + 1, columns_ - 1);
+  const double row_0 = row_integral(square, row.node, columns_ - 1),
+               row_1 = row_integral(square, row.node + 1, columns_ - 1);
   return {{along / std::lerp(row_0, row_1, row.rest),
            integral(square, row.node) + row_step * integral_of_linear(row.rest, row_0, row_1)},
           std::lerp(v0, v1, column.rest)};

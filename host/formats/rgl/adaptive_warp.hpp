@@ -1,6 +1,6 @@
-// Densities on the unit square, and the warps that they define: the interpolants of RGL files. Dupuy and Jakob, "An adaptive
-// parameterization for efficient material acquisition and rendering", ACM Trans. Graph. 37 (2018), and as Mitsuba 3
-// (Marginal2D), pbrt-v4 (PiecewiseLinear2D) and powitacq evaluate them.
+// Densities on the unit square, and the warps that they define: the interpolants of RGL files. Dupuy and
+// Jakob, "An adaptive parameterization for efficient material acquisition and rendering", ACM Trans. Graph.
+// 37 (2018), and as Mitsuba 3 (Marginal2D), pbrt-v4 (PiecewiseLinear2D) and powitacq evaluate them.
 #pragma once
 
 #include <cstddef>
@@ -14,8 +14,8 @@ struct SquarePoint {
   double x, y;
 };
 
-/// Where a value lies between the nodes of an increasing axis: the node below it, and the weight of the one above. The end
-/// nodes serve beyond the ends.
+/// Where a value lies between the nodes of an increasing axis: the node below it, and the weight of the one
+/// above. The end nodes serve beyond the ends.
 struct AxisPlace {
   AxisPlace(std::span<const float> axis, double value);
   AxisPlace(std::size_t node) : lower(node), upper(node), weight(0) {}
@@ -26,7 +26,8 @@ struct AxisPlace {
   double weight;
 };
 
-/// Values at the nodes of a stack of unit squares, nodes at k / (n - 1), both ends included, bilinear between. A view.
+/// Values at the nodes of a stack of unit squares, nodes at k / (n - 1), both ends included, bilinear
+/// between. A view.
 class SquareTable {
  public:
   /// [square][row][column]; at least two rows and columns.
@@ -42,8 +43,9 @@ class SquareTable {
   std::size_t rows_, columns_;
 };
 
-/// The warp from the unit square to itself under which a uniform density becomes a table's, for each of a stack of tables and
-/// between neighbours: its marginal over rows, then its conditional over columns, both piecewise quadratic.
+/// The warp from the unit square to itself under which a uniform density becomes a table's, for each of a
+/// stack of tables and between neighbours: its marginal over rows, then its conditional over columns, both
+/// piecewise quadratic.
 class AdaptiveWarp {
  public:
   /// Densities [square][row][column], each 0 or more and none all 0; any scale, as each square is normalised.

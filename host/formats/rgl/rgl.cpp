@@ -16,13 +16,14 @@ constexpr double radians = std::numbers::pi / 180;
 // Consumers count a table's values in 32 bits, and hold it several times over.
 constexpr std::size_t most_bytes = 4'000'000'000;
 
-class RglTable : public ExportedTable {
+class RglReader : public ExportReader {
  public:
-  RglTable(RglContent content, Description description)
+  RglReader(RglContent content, Description description)
       : content_(std::move(content)), description_(std::move(description)), vndf_(content_.vndf_warp()) {}
 
   std::vector<std::vector<double>> evaluate(const Directions& directions) const override {
-    const SquareTable ndf = content_.ndf_table(), sigma = content_.sigma_table(), spectra = content_.spectra_table();
+    const SquareTable ndf = content_.ndf_table(), sigma = content_.sigma_table(),
+                      spectra = content_.spectra_table();
     std::vector<std::vector<double>> f(content_.channels, std::vector<double>(directions.size()));
     for (std::size_t k = 0; k < directions.size(); ++k) {
       const SurfaceVector i = to_viewer(directions, k), o = to_light(directions, k);
@@ -30,9 +31,12 @@ class RglTable : public ExportedTable {
       const AxisPlace theta_i(content_.theta_i, i.theta() * radians);
       const SquarePoint s = vndf_.invert(theta_i, half).point;
       const double scale = ndf.at(0, half) / (4 * sigma.at(0, {RglPlace::of_theta(i.theta()), 0.5}) * o.z);
-      const auto slice = [&](std::size_t node, std::size_t channel) { return node * content_.channels + channel; };
+      const auto slice = [&](std::size_t node, std::size_t channel) {
+        return node * content_.channels + channel;
+      };
       for (std::size_t c = 0; c < f.size(); ++c)
-        f[c][k] = scale * theta_i.mix(spectra.at(slice(theta_i.lower, c), s), spectra.at(slice(theta_i.upper, c), s));
+        f[c][k] = scale *
+                  theta_i.mix(spectra.at(slice(theta_i.lower, c), s), spectra.at(slice(theta_i.upper, c), s));
     }
     return f;
   }
@@ -44,16 +48,20 @@ class RglTable : public ExportedTable {
   std::vector<double> wavelengths_nm() const override { return description_.wavelengths_nm; }
   std::string material_text() const override { return description_.material_text; }
   std::string interpolation() const override {
-    return "interpolation linear in theta_i and wavelength, bilinear over half vectors warped by the density in the file";
+    return "interpolation linear in theta_i and wavelength, bilinear over half vectors warped by the density "
+           "in the file";
   }
   // The file's theta_i is the viewer's.
-  AngleRange theta_s_range() const override { return {content_.theta_i.front() / radians, content_.theta_i.back() / radians}; }
+  AngleRange theta_s_range() const override {
+    return {content_.theta_i.front() / radians, content_.theta_i.back() / radians};
+  }
 
-  std::unique_ptr<ExportedTable> rebuilt(const ExportSource& source, ValueErrors& errors) const override {
+  std::unique_ptr<ExportReader> rebuilt(const ExportModel& source, ValueErrors& errors) const override {
     RglDesign right = resampled_rgl(source, content_);
     const std::size_t n = content_.samples, square = n * n;
     const auto place = [&](std::size_t i, std::size_t k) {
-      return fmt::format("theta_i = {:.6g} degrees, node {}, {}", content_.theta_i[i] / radians, k / n, k % n);
+      return fmt::format("theta_i = {:.6g} degrees, node {}, {}", content_.theta_i[i] / radians, k / n,
+                         k % n);
     };
     for (std::size_t i = 0; i < content_.theta_i.size(); ++i)
       for (std::size_t k = 0; k < square; ++k) {
@@ -64,11 +72,12 @@ class RglTable : public ExportedTable {
         const double scale = right.scale[at] > 0 ? right.scale[at] : 1;
         for (std::size_t c = 0; c < content_.channels; ++c) {
           const std::size_t value = (i * content_.channels + c) * square + k;
-          errors.compare(content_.spectra[value] / scale, right.content.spectra[value] / scale,
-                         [&] { return fmt::format("f in {} at {}", channel_name(channels(), source, c), place(i, k)); });
+          errors.compare(content_.spectra[value] / scale, right.content.spectra[value] / scale, [&] {
+            return fmt::format("f in {} at {}", channel_name(channels(), source, c), place(i, k));
+          });
         }
       }
-    return std::make_unique<RglTable>(std::move(right.content), description_);
+    return std::make_unique<RglReader>(std::move(right.content), description_);
   }
 
  private:
@@ -88,37 +97,48 @@ class RglFormat : public ExportFormat {
   void add_options(CLI::App& parser) override {
     parser
         .add_option("--rgl-channels", channels_,
-                    "rgb: linear sRGB, for Mitsuba's rgb variants (default); spectral: the bands, for its spectral variants and "
+                    "rgb: linear sRGB, for Mitsuba's rgb variants (default); spectral: the bands, for its "
+                    "spectral variants and "
                     "pbrt-v4")
         ->check(CLI::IsMember({"rgb", "spectral"}));
     const CLI::Range nodes(2, 4096);
-    parser.add_option("--rgl-theta-i", resolution_.theta_i, "Nodes of theta_i, the viewer's; default 90")->check(nodes);
-    parser.add_option("--rgl-samples", resolution_.samples, "Nodes of f along each side of the warped square; default 96")
-        ->check(nodes);
-    parser.add_option("--rgl-warp-theta", resolution_.warp_theta, "Nodes of the warp's density along theta; default 256")
+    parser.add_option("--rgl-theta-i", resolution_.theta_i, "Nodes of theta_i, the viewer's; default 90")
         ->check(nodes);
     parser
-        .add_option("--rgl-warp-phi", resolution_.warp_phi, "Nodes of the warp's density along phi, an odd number; default 129")
+        .add_option("--rgl-samples", resolution_.samples,
+                    "Nodes of f along each side of the warped square; default 96")
+        ->check(nodes);
+    parser
+        .add_option("--rgl-warp-theta", resolution_.warp_theta,
+                    "Nodes of the warp's density along theta; default 256")
+        ->check(nodes);
+    parser
+        .add_option("--rgl-warp-phi", resolution_.warp_phi,
+                    "Nodes of the warp's density along phi, an odd number; default 129")
         ->check(nodes);
   }
 
-  std::vector<std::string> write(const std::filesystem::path& file, const ExportSource& source) const override {
+  std::vector<std::string> write(const std::filesystem::path& file,
+                                 const ExportModel& source) const override {
     if (resolution_.warp_phi % 2 == 0)
-      throw BadInput("--rgl-warp-phi {}: must be odd, so that a row lies in the plane of incidence", resolution_.warp_phi);
+      throw BadInput("--rgl-warp-phi {}: must be odd, so that a row lies in the plane of incidence",
+                     resolution_.warp_phi);
     const bool rgb = channels_ == "rgb";
     const std::size_t channels = rgb ? 3 : source.bands();
-    const std::size_t bytes =
-        4 * resolution_.theta_i *
-        ((channels + 1) * resolution_.samples * resolution_.samples + resolution_.warp_theta * resolution_.warp_phi);
+    const std::size_t bytes = 4 * resolution_.theta_i *
+                              ((channels + 1) * resolution_.samples * resolution_.samples +
+                               resolution_.warp_theta * resolution_.warp_phi);
     if (bytes > most_bytes)
       throw BadInput(
-          "--rgl-theta-i, --rgl-samples, --rgl-warp-theta and --rgl-warp-phi: the file would have {:.3g} GB; at most 4",
+          "--rgl-theta-i, --rgl-samples, --rgl-warp-theta and --rgl-warp-phi: the file would have {:.3g} GB; "
+          "at most 4",
           static_cast<double>(bytes) / 1e9);
     const RglDesign design = design_rgl(source, resolution_, rgb ? RglChannels::rgb : RglChannels::spectral);
     TensorFields fields = design.content.fields();
-    fields["description"] = Tensor::of_text(fmt::format("{}, {}", source.material().name(), program_source));
+    fields["description"] = Tensor::of_text(fmt::format("{}, {}", source.material().name(), program_version));
     std::string text;
-    for (const auto& line : description_lines(source, rgb ? ExportChannels::rgb : ExportChannels::bands)) text += line + '\n';
+    for (const auto& line : description_lines(source, rgb ? ExportChannels::rgb : ExportChannels::bands))
+      text += line + '\n';
     fields["comments"] = Tensor::of_text(text);
     write_tensor_file(file, fields);
     std::vector<std::string> notes;
@@ -132,7 +152,7 @@ class RglFormat : public ExportFormat {
     return beginning.starts_with(tensor_file_magic);
   }
 
-  std::unique_ptr<ExportedTable> read(const std::filesystem::path& file) const override {
+  std::unique_ptr<ExportReader> read(const std::filesystem::path& file) const override {
     const TensorFields fields = read_tensor_file(file);
     Description description;
     if (const auto comments = fields.find("comments"); comments != fields.end()) {
@@ -143,7 +163,7 @@ class RglFormat : public ExportFormat {
         begin = end + 1;
       }
     }
-    return std::make_unique<RglTable>(RglContent::from_fields(file, fields), std::move(description));
+    return std::make_unique<RglReader>(RglContent::from_fields(file, fields), std::move(description));
   }
 
  private:

@@ -16,7 +16,8 @@ constexpr double pi = std::numbers::pi;
 /// The fields of a file, each of them checked when it is taken.
 class FieldReader {
  public:
-  FieldReader(const std::filesystem::path& file, const TensorFields& fields) : file_(file.string()), fields_(fields) {}
+  FieldReader(const std::filesystem::path& file, const TensorFields& fields)
+      : file_(file.string()), fields_(fields) {}
 
   /// An extent of 0 asks for two or more.
   const Tensor& floats(const std::string& name, const std::vector<std::uint64_t>& shape) const {
@@ -27,9 +28,11 @@ class FieldReader {
     for (std::size_t k = 0; fits && k < shape.size(); ++k)
       fits = shape[k] == 0 ? tensor.shape[k] >= 2 : tensor.shape[k] == shape[k];
     if (!fits)
-      throw BadInput("{}: field {}: is {} of shape [{}]; must be float32 of shape [{}], where 0 is 2 or more", file_, name,
-                     tensor.floats.empty() ? "bytes" : "float32", fmt::join(tensor.shape, ", "), fmt::join(shape, ", "));
-    if (!std::all_of(tensor.floats.begin(), tensor.floats.end(), [](float value) { return std::isfinite(value); }))
+      throw BadInput("{}: field {}: is {} of shape [{}]; must be float32 of shape [{}], where 0 is 2 or more",
+                     file_, name, tensor.floats.empty() ? "bytes" : "float32", fmt::join(tensor.shape, ", "),
+                     fmt::join(shape, ", "));
+    if (!std::all_of(tensor.floats.begin(), tensor.floats.end(),
+                     [](float value) { return std::isfinite(value); }))
       throw BadInput("{}: field {}: has values that are not finite", file_, name);
     return tensor;
   }
@@ -84,7 +87,8 @@ TensorFields RglContent::fields() const {
   fields["luminance"] = Tensor::of_floats({1, theta_i.size(), samples, samples}, luminance);
   fields[wavelengths_nm.empty() ? "rgb" : "spectra"] =
       Tensor::of_floats({1, theta_i.size(), channels, samples, samples}, spectra);
-  if (!wavelengths_nm.empty()) fields["wavelengths"] = Tensor::of_floats({wavelengths_nm.size()}, wavelengths_nm);
+  if (!wavelengths_nm.empty())
+    fields["wavelengths"] = Tensor::of_floats({wavelengths_nm.size()}, wavelengths_nm);
   return fields;
 }
 
@@ -93,7 +97,8 @@ RglContent RglContent::from_fields(const std::filesystem::path& file, const Tens
   RglContent content;
   content.theta_i = reader.increasing("theta_i");
   if (const auto phi_i = reader.increasing("phi_i"); phi_i.size() != 1)
-    throw BadInput("{}: field phi_i: has {} nodes, an anisotropic material; one node can be read", file.string(), phi_i.size());
+    throw BadInput("{}: field phi_i: has {} nodes, an anisotropic material; one node can be read",
+                   file.string(), phi_i.size());
   if (fields.contains("wavelengths")) content.wavelengths_nm = reader.increasing("wavelengths");
   const std::uint64_t angles = content.theta_i.size();
   content.channels = content.wavelengths_nm.empty() ? 3 : content.wavelengths_nm.size();
@@ -106,9 +111,11 @@ RglContent RglContent::from_fields(const std::filesystem::path& file, const Tens
   content.vndf_columns = vndf.shape[3];
   const std::size_t slice = content.vndf_rows * content.vndf_columns;
   for (std::size_t k = 0; k < content.vndf.size(); k += slice) {
-    const auto begin = content.vndf.begin() + static_cast<std::ptrdiff_t>(k), end = begin + static_cast<std::ptrdiff_t>(slice);
+    const auto begin = content.vndf.begin() + static_cast<std::ptrdiff_t>(k),
+               end = begin + static_cast<std::ptrdiff_t>(slice);
     if (*std::min_element(begin, end) < 0 || *std::max_element(begin, end) == 0)
-      throw BadInput("{}: field vndf: must be 0 or more, and above 0 somewhere at each theta_i", file.string());
+      throw BadInput("{}: field vndf: must be 0 or more, and above 0 somewhere at each theta_i",
+                     file.string());
   }
   const Tensor& luminance = reader.floats("luminance", {1, angles, 0, 0});
   content.luminance = luminance.floats;

@@ -1,10 +1,11 @@
-// What an RGL file of an isotropic material holds: tables over half vectors, as Mitsuba 3, pbrt-v4 and powitacq load them.
-// Dupuy and Jakob, "An adaptive parameterization for efficient material acquisition and rendering", ACM Trans. Graph. 37 (2018).
+// What an RGL file of an isotropic material holds: tables over half vectors, as Mitsuba 3, pbrt-v4 and
+// powitacq load them. Dupuy and Jakob, "An adaptive parameterization for efficient material acquisition and
+// rendering", ACM Trans. Graph. 37 (2018).
 //
-// A consumer has f cos(theta_o) = S(s) D(u_m) / (4 sigma(u_i)): u_m is the place of the half vector, its azimuth seen from
-// the vector i; s is its place under the inverse warp of the density `vndf` at theta_i; S is the table `spectra`. The vector i
-// is the one that a path tracer starts from, the viewer's; o is the light's. So f is the model's at theta_i = theta_o and
-// theta_s = theta_i, and no reciprocity is asked of it.
+// A consumer has f cos(theta_o) = S(s) D(u_m) / (4 sigma(u_i)): u_m is the place of the half vector, its
+// azimuth seen from the vector i; s is its place under the inverse warp of the density `vndf` at theta_i; S
+// is the table `spectra`. The vector i is the one that a path tracer starts from, the viewer's; o is the
+// light's. So f is the model's at theta_i = theta_o and theta_s = theta_i, and no reciprocity is asked of it.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +17,8 @@
 
 namespace brdftab {
 
-/// Where directions lie on the unit square: x = sqrt(theta / 90 degrees), y = (phi + 180 degrees) / 360 degrees.
+/// Where directions lie on the unit square: x = sqrt(theta / 90 degrees), y = (phi + 180 degrees) / 360
+/// degrees.
 struct RglPlace {
   /// Of a direction whose azimuth is seen from another one, degrees.
   static SquarePoint of(const SurfaceVector& direction, double phi_0);
@@ -24,7 +26,8 @@ struct RglPlace {
 
   static double of_theta(double degrees);
   static double theta(double x);
-  /// Solid angle of the square's column at x, for its width: a direction's density in x is its density in solid angle times it.
+  /// Solid angle of the square's column at x, for its width: a direction's density in x is its density in
+  /// solid angle times it.
   static double solid_angle(double x);
 };
 

@@ -22,12 +22,13 @@ constexpr double largest_theta = 89.99;
 constexpr std::size_t ndf_nodes = 1024, sigma_nodes = 256;
 constexpr float grey_wavelength_nm = 550;
 
-// Chosen by the error of f at random directions over the shipped materials. A share of the nodes that is even over the
-// hemisphere: at 64 x 64 x 64 nodes the 95th percentile is 6 to 20 % without it, with as many as the light's own 3 to 5 %, and
-// with twice as many hardly less. More of them above the horizon: half the error for cos(theta_o) < 0.05. More about the
-// mirror direction, as 1 / theta of the half vector, so that s grows with theta there and not with its square: at 0.03 radians
-// from it the median error falls from 0.2 to 1 % to 0.1 to 0.3 %. The light's density is blurred to what the nodes of s can
-// follow: 9 to 5 % for a retro-reflecting lobe narrower than that.
+// Chosen by the error of f at random directions over the shipped materials. A share of the nodes that is even
+// over the hemisphere: at 64 x 64 x 64 nodes the 95th percentile is 6 to 20 % without it, with as many as the
+// light's own 3 to 5 %, and with twice as many hardly less. More of them above the horizon: half the error
+// for cos(theta_o) < 0.05. More about the mirror direction, as 1 / theta of the half vector, so that s grows
+// with theta there and not with its square: at 0.03 radians from it the median error falls from 0.2 to 1 % to
+// 0.1 to 0.3 %. The light's density is blurred to what the nodes of s can follow: 9 to 5 % for a
+// retro-reflecting lobe narrower than that.
 constexpr double even_share = 1;
 constexpr double horizon_share = 2, horizon_height = 0.03;  // the height a cosine
 constexpr double mirror_share = 20, nearest_mirror = 0.1;   // degrees
@@ -35,7 +36,9 @@ constexpr double blur_width = 0.8;                          // nodes of s
 // Of an average density: no cell is empty, so that every place has one s and float32 can tell them apart.
 constexpr double smallest_density = 1e-4;
 
-double place_of(std::size_t node, std::size_t nodes) { return static_cast<double>(node) / static_cast<double>(nodes - 1); }
+double place_of(std::size_t node, std::size_t nodes) {
+  return static_cast<double>(node) / static_cast<double>(nodes - 1);
+}
 
 /// Pairs of a viewer and the light that a half vector mirrors to it.
 struct MirroredPairs {
@@ -54,7 +57,8 @@ struct MirroredPairs {
     const SurfaceVector light = half * (2 * cosine.back()) + viewer * -1;
     light_z.push_back(light.z);
     brdftab::add(directions, {light.x, light.y, std::abs(light.z)}, viewer);
-    for (double* theta : {&directions.theta_i.back(), &directions.theta_s.back()}) *theta = std::min(*theta, largest_theta);
+    for (double* theta : {&directions.theta_i.back(), &directions.theta_s.back()})
+      *theta = std::min(*theta, largest_theta);
   }
 
   bool lit(std::size_t k) const { return cosine[k] > 0 && light_z[k] > 0; }
@@ -79,12 +83,14 @@ std::vector<float> two_rows(const std::vector<double>& row) {
   return values;
 }
 
-/// Blurs rows of values, each of them `count` values `stride` apart, by a Gaussian of `width` values; even about the first
-/// value, and about the last.
-std::vector<double> blurred(const std::vector<double>& values, std::size_t count, std::size_t stride, double width) {
+/// Blurs rows of values, each of them `count` values `stride` apart, by a Gaussian of `width` values; even
+/// about the first value, and about the last.
+std::vector<double> blurred(const std::vector<double>& values, std::size_t count, std::size_t stride,
+                            double width) {
   const auto reach = std::min(static_cast<std::size_t>(std::ceil(3 * width)), count - 1);
   std::vector<double> weights;
-  for (std::size_t k = 0; k <= reach; ++k) weights.push_back(std::exp(-0.5 * std::pow(static_cast<double>(k) / width, 2)));
+  for (std::size_t k = 0; k <= reach; ++k)
+    weights.push_back(std::exp(-0.5 * std::pow(static_cast<double>(k) / width, 2)));
   std::vector<double> result(values.size());
   for (std::size_t k = 0; k < values.size(); ++k) {
     const std::size_t at = k / stride % count, first = k - at * stride;
@@ -100,20 +106,23 @@ std::vector<double> blurred(const std::vector<double>& values, std::size_t count
 
 class Designer {
  public:
-  Designer(const ExportSource& source, const RglResolution& resolution, RglChannels channels)
+  Designer(const ExportModel& source, const RglResolution& resolution, RglChannels channels)
       : source_(source), rgb_(channels == RglChannels::rgb) {
     content_.samples = resolution.samples;
     content_.vndf_rows = resolution.warp_phi;
     content_.vndf_columns = resolution.warp_theta;
     for (std::size_t i = 0; i < resolution.theta_i; ++i)
-      content_.theta_i.push_back(static_cast<float>(last_theta_i / degrees * place_of(i, resolution.theta_i)));
+      content_.theta_i.push_back(
+          static_cast<float>(last_theta_i / degrees * place_of(i, resolution.theta_i)));
     if (!rgb_)
-      for (const double wavelength : source_.wavelengths_nm()) content_.wavelengths_nm.push_back(static_cast<float>(wavelength));
+      for (const double wavelength : source_.wavelengths_nm())
+        content_.wavelengths_nm.push_back(static_cast<float>(wavelength));
     if (!rgb_ && content_.wavelengths_nm.empty()) content_.wavelengths_nm.push_back(grey_wavelength_nm);
     content_.channels = rgb_ ? 3 : content_.wavelengths_nm.size();
   }
 
-  Designer(const ExportSource& source, RglContent layout) : source_(source), rgb_(layout.wavelengths_nm.empty()) {
+  Designer(const ExportModel& source, RglContent layout)
+      : source_(source), rgb_(layout.wavelengths_nm.empty()) {
     if (!rgb_) check_channels(layout.channels, source.bands());
     content_ = std::move(layout);
   }
@@ -135,7 +144,9 @@ class Designer {
 
  private:
   std::size_t angles() const { return content_.theta_i.size(); }
-  SurfaceVector viewer(std::size_t i) const { return SurfaceVector::from_degrees(content_.theta_i[i] * degrees, 0); }
+  SurfaceVector viewer(std::size_t i) const {
+    return SurfaceVector::from_degrees(content_.theta_i[i] * degrees, 0);
+  }
 
   /// For every theta_i: its pairs, then what is made of f.
   void for_theta_i(const std::function<MirroredPairs(std::size_t)>& pairs_of,
@@ -147,10 +158,12 @@ class Designer {
       Directions all;
       for (const auto& some : pairs)
         for (const auto angle : {&Directions::theta_i, &Directions::theta_s, &Directions::phi})
-          (all.*angle).insert((all.*angle).end(), (some.directions.*angle).begin(), (some.directions.*angle).end());
+          (all.*angle)
+              .insert((all.*angle).end(), (some.directions.*angle).begin(), (some.directions.*angle).end());
       const Bands f = source_.evaluate(all);
       in_parallel(pairs.size(), [&](std::size_t k) {
-        const auto count = static_cast<std::ptrdiff_t>(pairs[k].place.size()), first = static_cast<std::ptrdiff_t>(k) * count;
+        const auto count = static_cast<std::ptrdiff_t>(pairs[k].place.size()),
+                   first = static_cast<std::ptrdiff_t>(k) * count;
         Bands part;
         for (const auto& band : f) part.emplace_back(band.begin() + first, band.begin() + first + count);
         use(begin + k, pairs[k], part);
@@ -158,7 +171,8 @@ class Designer {
     }
   }
 
-  /// The density of half vectors by solid angle; rows over half the azimuth, for the rest is its mirror image.
+  /// The density of half vectors by solid angle; rows over half the azimuth, for the rest is its mirror
+  /// image.
   std::vector<double> light_density(const MirroredPairs& pairs, const std::vector<double>& f) const {
     const std::size_t columns = content_.vndf_columns, rows = f.size() / columns;
     std::vector<double> lit(f.size()), light(f.size());
@@ -169,8 +183,8 @@ class Designer {
       }
     const auto blur = [&](const std::vector<double>& values) {
       const double width = blur_width / static_cast<double>(content_.samples);
-      return blurred(blurred(values, rows, columns, width * static_cast<double>(content_.vndf_rows)), columns, 1,
-                     width * static_cast<double>(columns));
+      return blurred(blurred(values, rows, columns, width * static_cast<double>(content_.vndf_rows)), columns,
+                     1, width * static_cast<double>(columns));
     };
     light = blur(light);
     const auto share = blur(lit);
@@ -208,8 +222,8 @@ class Designer {
       const auto density = light_density(pairs, mean_of_bands(by_band));
       for (std::size_t r = 0; r < rows; ++r)
         for (std::size_t c = 0; c < columns; ++c)
-          content_.vndf[(i * rows + r) * columns + c] =
-              static_cast<float>(density[std::min(r, rows - 1 - r) * columns + c] * RglPlace::solid_angle(place_of(c, columns)));
+          content_.vndf[(i * rows + r) * columns + c] = static_cast<float>(
+              density[std::min(r, rows - 1 - r) * columns + c] * RglPlace::solid_angle(place_of(c, columns)));
     });
   }
 
@@ -221,7 +235,8 @@ class Designer {
     const AdaptiveWarp warp = content_.vndf_warp();
     const auto pairs_of = [&](std::size_t i) {
       MirroredPairs pairs(viewer(i));
-      for (std::size_t k = 0; k < (n + 1) / 2 * n; ++k) pairs.add(warp.sample(i, {place_of(k % n, n), place_of(k / n, n)}).point);
+      for (std::size_t k = 0; k < (n + 1) / 2 * n; ++k)
+        pairs.add(warp.sample(i, {place_of(k % n, n), place_of(k / n, n)}).point);
       return pairs;
     };
     for_theta_i(pairs_of, [&](std::size_t i, const MirroredPairs& pairs, const Bands& by_band) {
@@ -237,7 +252,8 @@ class Designer {
   }
 
   /// What is left for s to follow f cos(theta_o), beside the density of the half vector.
-  void sample_luminance(std::size_t i, const MirroredPairs& pairs, const std::vector<double>& f, const AdaptiveWarp& warp) {
+  void sample_luminance(std::size_t i, const MirroredPairs& pairs, const std::vector<double>& f,
+                        const AdaptiveWarp& warp) {
     // Along the normal both densities are 0, and their ratio is that nearby.
     const double nearest = 0.5 / static_cast<double>(content_.vndf_columns);
     std::vector<double> luminance(f.size());
@@ -245,17 +261,20 @@ class Designer {
     for (std::size_t k = 0; k < f.size(); ++k) {
       if (!pairs.lit(k)) continue;
       const SquarePoint place{std::max(pairs.place[k].x, nearest), pairs.place[k].y};
-      luminance[k] = f[k] * pairs.light_z[k] * 4 * pairs.cosine[k] * RglPlace::solid_angle(place.x) / warp.density(i, place);
+      luminance[k] = f[k] * pairs.light_z[k] * 4 * pairs.cosine[k] * RglPlace::solid_angle(place.x) /
+                     warp.density(i, place);
       mean += luminance[k] / static_cast<double>(f.size());
     }
     const std::size_t square = content_.samples * content_.samples;
     for (std::size_t k = 0; k < square; ++k)
-      content_.luminance[i * square + k] = static_cast<float>(mean > 0 ? luminance[pair_of(k)] / mean + smallest_density : 1);
+      content_.luminance[i * square + k] =
+          static_cast<float>(mean > 0 ? luminance[pair_of(k)] / mean + smallest_density : 1);
   }
 
   void sample_spectra(std::size_t i, const MirroredPairs& pairs, const Bands& by_channel) {
     const SquareTable ndf = content_.ndf_table();
-    const double area = content_.sigma_table().at(0, {RglPlace::of_theta(content_.theta_i[i] * degrees), 0.5});
+    const double area =
+        content_.sigma_table().at(0, {RglPlace::of_theta(content_.theta_i[i] * degrees), 0.5});
     const std::size_t square = content_.samples * content_.samples;
     for (std::size_t k = 0; k < square; ++k) {
       const std::size_t pair = pair_of(k);
@@ -269,7 +288,7 @@ class Designer {
     }
   }
 
-  const ExportSource& source_;
+  const ExportModel& source_;
   bool rgb_;
   RglDesign result_;
   RglContent& content_ = result_.content;
@@ -278,10 +297,12 @@ class Designer {
 
 }  // namespace
 
-RglDesign design_rgl(const ExportSource& source, const RglResolution& resolution, RglChannels channels) {
+RglDesign design_rgl(const ExportModel& source, const RglResolution& resolution, RglChannels channels) {
   return Designer(source, resolution, channels).design();
 }
 
-RglDesign resampled_rgl(const ExportSource& source, RglContent layout) { return Designer(source, std::move(layout)).resampled(); }
+RglDesign resampled_rgl(const ExportModel& source, RglContent layout) {
+  return Designer(source, std::move(layout)).resampled();
+}
 
 }  // namespace brdftab

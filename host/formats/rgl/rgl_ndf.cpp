@@ -13,7 +13,8 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr double radians = pi / 180;
 
-// Half vectors towards the horizon are taken no further from the normal than this, degrees: there f may vanish.
+// Half vectors towards the horizon are taken no further from the normal than this, degrees: there f may
+// vanish.
 constexpr double furthest = 50;
 // Of the largest density.
 constexpr double smallest_density = 1e-6;
@@ -47,7 +48,7 @@ std::vector<double> mean_of_bands(const std::vector<std::vector<double>>& by_ban
   return mean;
 }
 
-std::vector<double> half_vector_density(const ExportSource& source, std::size_t nodes) {
+std::vector<double> half_vector_density(const ExportModel& source, std::size_t nodes) {
   Directions directions;
   const double along = std::sqrt(0.5);
   for (std::size_t k = 0; k < nodes; ++k) {
@@ -59,7 +60,8 @@ std::vector<double> half_vector_density(const ExportSource& source, std::size_t 
   auto density = mean_of_bands(source.evaluate(directions));
   const double largest = *std::max_element(density.begin(), density.end());
   if (!(largest > 0))
-    throw BadInput("{}: f is 0 about the mirror direction, and an RGL file needs a lobe there", source.material().name());
+    throw BadInput("{}: f is 0 about the mirror direction, and an RGL file needs a lobe there",
+                   source.material().name());
   for (double& value : density) value = std::max(value, smallest_density * largest);
   const double area = integral(density, [](double theta) { return std::cos(theta); });
   for (double& value : density) value /= area;

@@ -4,18 +4,18 @@
 #include <cstddef>
 #include <vector>
 
-#include "host/formats/export/export_source.hpp"
+#include "host/formats/export/export_model.hpp"
 
 namespace brdftab {
 
 /// The mean of bands, sample by sample, of [band][sample].
 std::vector<double> mean_of_bands(const std::vector<std::vector<double>>& by_band);
 
-/// Densities of half vectors in 1/sr over their polar angle, at nodes evenly over the x of RglPlace, such that the projected
-/// area along the normal is 1. From light and viewer 45 degrees from the half vector, to either side of the plane that it
-/// makes with the normal: so both stay above the horizon, and far from the retro-reflecting lobe. All above 0. Throws BadInput
-/// where f is 0 at all of them.
-std::vector<double> half_vector_density(const ExportSource& source, std::size_t nodes);
+/// Densities of half vectors in 1/sr over their polar angle, at nodes evenly over the x of RglPlace, such
+/// that the projected area along the normal is 1. From light and viewer 45 degrees from the half vector, to
+/// either side of the plane that it makes with the normal: so both stay above the horizon, and far from the
+/// retro-reflecting lobe. All above 0. Throws BadInput where f is 0 at all of them.
+std::vector<double> half_vector_density(const ExportModel& source, std::size_t nodes);
 
 /// The projected area of such a density as it is seen from polar angles evenly over x.
 std::vector<double> projected_area(const std::vector<double>& density, std::size_t nodes);

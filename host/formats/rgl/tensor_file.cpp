@@ -21,7 +21,8 @@ static_assert(std::endian::native == std::endian::little, "the file is little-en
 enum class TensorType : std::uint8_t { bytes = 1, float32 = 10 };
 
 constexpr std::uint64_t alignment = 8;
-constexpr std::uint64_t most_bytes = std::uint64_t{1} << 40;  // of one field, so that products do not overflow
+constexpr std::uint64_t most_bytes = std::uint64_t{1}
+                                     << 40;  // of one field, so that products do not overflow
 
 std::uint64_t aligned(std::uint64_t offset) { return (offset + alignment - 1) / alignment * alignment; }
 
@@ -42,7 +43,8 @@ class HeaderWriter {
 
 class HeaderReader {
  public:
-  HeaderReader(std::ifstream& in, const std::string& name, std::uint64_t size) : in_(in), name_(name), size_(size) {}
+  HeaderReader(std::ifstream& in, const std::string& name, std::uint64_t size)
+      : in_(in), name_(name), size_(size) {}
 
   template <class Value>
   Value take() {
@@ -68,7 +70,8 @@ class HeaderReader {
 };
 
 std::span<const std::byte> data(const Tensor& tensor) {
-  return tensor.floats.empty() ? std::as_bytes(std::span(tensor.bytes)) : std::as_bytes(std::span(tensor.floats));
+  return tensor.floats.empty() ? std::as_bytes(std::span(tensor.bytes))
+                               : std::as_bytes(std::span(tensor.floats));
 }
 
 std::uint64_t product(const std::vector<std::uint64_t>& shape) {

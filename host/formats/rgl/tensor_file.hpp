@@ -28,8 +28,8 @@ using TensorFields = std::map<std::string, Tensor>;
 /// Throws FileError.
 void write_tensor_file(const std::filesystem::path& file, const TensorFields& fields);
 
-/// Fields of other types than bytes and float32 are left out. Throws FileError where the file cannot be read or is not whole,
-/// and BadInput `FILE: field NAME: ...` where it is not such a file.
+/// Fields of other types than bytes and float32 are left out. Throws FileError where the file cannot be read
+/// or is not whole, and BadInput `FILE: field NAME: ...` where it is not such a file.
 TensorFields read_tensor_file(const std::filesystem::path& file);
 
 }  // namespace brdftab

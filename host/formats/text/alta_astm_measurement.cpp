@@ -1,5 +1,5 @@
-// ALTA and ASTM text: lists of pairs of directions in radians, both away from the surface, so that the specular direction
-// lies at phi_i + 180 degrees.
+// ALTA and ASTM text: lists of pairs of directions in radians, both away from the surface, so that the
+// specular direction lies at phi_i + 180 degrees.
 #include "host/formats/text/alta_astm_measurement.hpp"
 
 #include <algorithm>
@@ -31,8 +31,8 @@ std::vector<double> numbers_of(std::string line, const std::string& where) {
 // A quarter of a turn in few digits, 1.571 for pi/2, lies a little beyond it.
 constexpr double beyond_rim = 0.02;
 
-/// Angles of a row as the file has them, made directions of a measurement. `phi` is from the incident azimuth, 0 towards
-/// retro-reflection.
+/// Angles of a row as the file has them, made directions of a measurement. `phi` is from the incident
+/// azimuth, 0 towards retro-reflection.
 class Rows {
  public:
   Rows(Measurement& measurement, const MeasurementOptions& options)
@@ -41,9 +41,10 @@ class Rows {
   double half_turn() const { return 180 / unit_.phi; }
   double cosine(double theta) const { return std::cos(theta * unit_.theta * std::numbers::pi / 180); }
 
-  /// Lists over a closed hemisphere have samples at its rim, where neither f nor a model of it has a value: they are counted.
-  void add(double theta_i, double theta_s, double phi, double brdf, std::size_t channel, const std::string& where,
-           std::size_t line) {
+  /// Lists over a closed hemisphere have samples at its rim, where neither f nor a model of it has a value:
+  /// they are counted.
+  void add(double theta_i, double theta_s, double phi, double brdf, std::size_t channel,
+           const std::string& where, std::size_t line) {
     MeasuredSample sample{.pair = {in_degrees(theta_i, unit_.theta), in_degrees(theta_s, unit_.theta),
                                    in_degrees(phi - half_turn(), unit_.phi), line},
                           .brdf = brdf,
@@ -51,13 +52,17 @@ class Rows {
     for (const auto& [name, theta, given] :
          {std::tuple{"theta_i", sample.pair.theta_i, theta_i}, {"theta_s", sample.pair.theta_s, theta_s}})
       if (!(theta >= 0 && theta <= 90 + beyond_rim))
-        throw BadInput("{}: {} = {}: must be from 0 to below {}{}", where, name, shortest(given),
-                       unit_.theta == 1 ? "90 degrees" : "pi/2 radians",
-                       unit_.theta == 1 ? "" : "; where the file has degrees, --angles degrees takes them so");
-    if (!std::isfinite(phi) || std::isinf(brdf)) throw BadInput("{}: an azimuth or a value is not finite", where);
+        throw BadInput(
+            "{}: {} = {}: must be from 0 to below {}{}", where, name, shortest(given),
+            unit_.theta == 1 ? "90 degrees" : "pi/2 radians",
+            unit_.theta == 1 ? "" : "; where the file has degrees, --angles degrees takes them so");
+    if (!std::isfinite(phi) || std::isinf(brdf))
+      throw BadInput("{}: an azimuth or a value is not finite", where);
     if (std::abs(phi) > 4 * half_turn())
-      throw BadInput("{}: an azimuth of {} {} is over two turns; --angles says the unit: degrees, radians or azimuth-radians",
-                     where, shortest(phi), unit_.phi == 1 ? "degrees" : "radians");
+      throw BadInput(
+          "{}: an azimuth of {} {} is over two turns; --angles says the unit: degrees, radians or "
+          "azimuth-radians",
+          where, shortest(phi), unit_.phi == 1 ? "degrees" : "radians");
     if (std::max(sample.pair.theta_i, sample.pair.theta_s) >= 90)
       ++at_rim_;
     else
@@ -65,7 +70,8 @@ class Rows {
   }
 
   void warn_of_rim() {
-    if (at_rim_ > 0) measurement_.warnings.push_back(fmt::format("{} samples at theta = 90 degrees: set aside", at_rim_));
+    if (at_rim_ > 0)
+      measurement_.warnings.push_back(fmt::format("{} samples at theta = 90 degrees: set aside", at_rim_));
   }
 
  private:
@@ -109,7 +115,8 @@ const AltaParametrization& alta_parametrization(const std::string& name, const s
 
 }  // namespace
 
-Measurement read_alta_measurement(std::istream& in, const std::string& source, const MeasurementOptions& options) {
+Measurement read_alta_measurement(std::istream& in, const std::string& source,
+                                  const MeasurementOptions& options) {
   Measurement measurement;
   measurement.source = source;
   std::size_t inputs = 0;
@@ -136,31 +143,35 @@ Measurement read_alta_measurement(std::istream& in, const std::string& source, c
       } else if (key == "PARAM_OUT") {
         cosine = value == "INV_STERADIAN_COSINE_FACTOR";
         if (!cosine && value != "INV_STERADIAN" && value != "RGB_COLOR")
-          throw BadInput("{}: PARAM_OUT {}: must be INV_STERADIAN, INV_STERADIAN_COSINE_FACTOR or RGB_COLOR", where,
-                         excerpt(value));
+          throw BadInput("{}: PARAM_OUT {}: must be INV_STERADIAN, INV_STERADIAN_COSINE_FACTOR or RGB_COLOR",
+                         where, excerpt(value));
       } else if (key == "FORMAT" && value == "binary") {
         throw BadInput("{}: FORMAT binary: only ALTA's text is read", where);
       }
       continue;
     }
     if (inputs != parametrization->inputs || outputs < 1 || outputs > 10000)
-      throw BadInput("{}: the header must give #DIM with {} angles and at least one value, and #PARAM_IN", where,
-                     parametrization->inputs);
+      throw BadInput("{}: the header must give #DIM with {} angles and at least one value, and #PARAM_IN",
+                     where, parametrization->inputs);
     if (measurement.channels.empty())
       for (std::size_t c = 0; c < outputs; ++c)
-        measurement.channels.push_back(outputs == 1 ? "" : outputs == 3 ? std::string(1, "RGB"[c]) : std::to_string(c + 1));
+        measurement.channels.push_back(outputs == 1   ? ""
+                                       : outputs == 3 ? std::string(1, "RGB"[c])
+                                                      : std::to_string(c + 1));
     const auto numbers = numbers_of(text, where);
     if (numbers.size() < inputs + outputs)
       throw BadInput("{}: has {} numbers where #DIM says {}", where, numbers.size(), inputs + outputs);
     const auto [theta_i, theta_s, phi] = parametrization->angles(numbers.data(), rows.half_turn());
     for (std::size_t c = 0; c < outputs; ++c)
-      rows.add(theta_i, theta_s, phi, numbers[inputs + c] / (cosine ? rows.cosine(theta_s) : 1), c, where, line);
+      rows.add(theta_i, theta_s, phi, numbers[inputs + c] / (cosine ? rows.cosine(theta_s) : 1), c, where,
+               line);
   }
   rows.warn_of_rim();
   return measurement;
 }
 
-Measurement read_astm_measurement(std::istream& in, const std::string& source, const MeasurementOptions& options) {
+Measurement read_astm_measurement(std::istream& in, const std::string& source,
+                                  const MeasurementOptions& options) {
   Measurement measurement;
   measurement.source = source;
   Rows rows(measurement, options);
@@ -176,7 +187,8 @@ Measurement read_astm_measurement(std::istream& in, const std::string& source, c
       std::istringstream names{std::string(trimmed(content.substr(4)))};
       std::vector<std::string> list;
       for (std::string name; std::getline(names, name, ',');) list.emplace_back(trimmed(name));
-      if (list.size() < 5 || list[0] != "theta_i" || list[1] != "phi_i" || list[2] != "theta_s" || list[3] != "phi_s")
+      if (list.size() < 5 || list[0] != "theta_i" || list[1] != "phi_i" || list[2] != "theta_s" ||
+          list[3] != "phi_s")
         throw BadInput("{}: VARS {}: must be theta_i,phi_i,theta_s,phi_s and at least one channel", where,
                        excerpt(content.substr(4)));
       measurement.channels.assign(list.begin() + 4, list.end());
@@ -184,7 +196,8 @@ Measurement read_astm_measurement(std::istream& in, const std::string& source, c
     }
     const auto numbers = numbers_of(text, where);
     if (numbers.size() != 4 + measurement.channels.size())
-      throw BadInput("{}: has {} numbers where VARS names {}", where, numbers.size(), 4 + measurement.channels.size());
+      throw BadInput("{}: has {} numbers where VARS names {}", where, numbers.size(),
+                     4 + measurement.channels.size());
     ++points;
     for (std::size_t c = 0; c < measurement.channels.size(); ++c)
       rows.add(numbers[0], numbers[2], numbers[3] - numbers[1], numbers[4 + c], c, where, line);
@@ -193,8 +206,10 @@ Measurement read_astm_measurement(std::istream& in, const std::string& source, c
   if (points_said && *points_said != static_cast<double>(points))
     measurement.warnings.push_back(
         fmt::format("has {} rows where NUM_POINTS says {}: {}", points, shortest(*points_said),
-                    *points_said > static_cast<double>(points) ? "the file may be cut short" : "its header is another file's"));
-  if (measurement.channels.empty()) throw BadInput("{}:1: has no line VARS theta_i,phi_i,theta_s,phi_s,...", source);
+                    *points_said > static_cast<double>(points) ? "the file may be cut short"
+                                                               : "its header is another file's"));
+  if (measurement.channels.empty())
+    throw BadInput("{}:1: has no line VARS theta_i,phi_i,theta_s,phi_s,...", source);
   return measurement;
 }
 

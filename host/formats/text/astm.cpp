@@ -1,16 +1,17 @@
-// ASTM E1392 text as Cornell writes it: a row for each pair of directions, in radians, both away from the surface.
+// ASTM E1392 text as Cornell writes it: a row for each pair of directions, in radians, both away from the
+// surface.
 #include <fstream>
 #include <iterator>
 #include <numbers>
 
 #include "host/base/error.hpp"
+#include "host/base/whole_file.hpp"
 #include "host/formats/export/export_text.hpp"
-#include "host/formats/registry.hpp"
-#include "host/formats/export/grid_table.hpp"
+#include "host/formats/export/grid_reader.hpp"
 #include "host/formats/export/grid_samples.hpp"
+#include "host/formats/registry.hpp"
 #include "host/formats/text/alta_astm_measurement.hpp"
 #include "host/model/surface_vector.hpp"
-#include "host/base/whole_file.hpp"
 
 namespace brdftab {
 namespace {
@@ -27,7 +28,8 @@ class AstmFormat : public ExportFormat {
                       .suffix = ".astm",
                       .takes_axes = true}) {}
 
-  std::vector<std::string> write(const std::filesystem::path& file, const ExportSource& source) const override {
+  std::vector<std::string> write(const std::filesystem::path& file,
+                                 const ExportModel& source) const override {
     const Grid& grid = source.grid();
     const auto azimuths = azimuths_away_from_surface(grid);
     Directions directions;
@@ -36,13 +38,16 @@ class AstmFormat : public ExportFormat {
         for (const double phi : azimuths) directions.add(theta_i, theta_s, model_phi(0, phi));
     const auto f = source.evaluate(directions);
     std::vector<std::string> channels;
-    for (const double wavelength : source.wavelengths_nm()) channels.push_back(fmt::format("{}nm", wavelength));
+    for (const double wavelength : source.wavelengths_nm())
+      channels.push_back(fmt::format("{}nm", wavelength));
     if (channels.empty()) channels.emplace_back("brdf");
 
     fmt::memory_buffer text;
     const auto out = std::back_inserter(text);
-    for (const auto& line : description_lines(source, ExportChannels::bands)) fmt::format_to(out, "{}{}\n", comment, line);
-    fmt::format_to(out, "NUM_POINTS {}\nVARS theta_i,phi_i,theta_s,phi_s,{}\n", directions.size(), fmt::join(channels, ","));
+    for (const auto& line : description_lines(source, ExportChannels::bands))
+      fmt::format_to(out, "{}{}\n", comment, line);
+    fmt::format_to(out, "NUM_POINTS {}\nVARS theta_i,phi_i,theta_s,phi_s,{}\n", directions.size(),
+                   fmt::join(channels, ","));
     std::vector<std::string> phi_texts;
     for (const double phi : azimuths) phi_texts.push_back(fmt::format("{}", phi * radian));
     std::size_t k = 0;
@@ -65,7 +70,7 @@ class AstmFormat : public ExportFormat {
            beginning.find("\nVARS theta_i,phi_i,theta_s,phi_s,") != beginning.npos;
   }
 
-  std::unique_ptr<ExportedTable> read(const std::filesystem::path& file) const override {
+  std::unique_ptr<ExportReader> read(const std::filesystem::path& file) const override {
     std::ifstream in(file);
     if (!in) throw FileError("{}: cannot be opened", file.string());
     Description description;
@@ -88,8 +93,9 @@ class AstmFormat : public ExportFormat {
         columns[3].push_back(sample.pair.phi);
       }
     }
-    return std::make_unique<GridTable>(std::vector{GridSamples::from_rows(columns, file.string())}, std::move(wavelengths),
-                                       std::move(description.material_text), "linear interpolation between nodes, as libbsdf");
+    return std::make_unique<GridReader>(std::vector{GridSamples::from_rows(columns, file.string())},
+                                        std::move(wavelengths), std::move(description.material_text),
+                                        "linear interpolation between nodes, as libbsdf");
   }
 };
 

@@ -3,16 +3,17 @@
 #include <utility>
 
 #include "host/base/error.hpp"
+#include "host/base/numbers.hpp"
 #include "host/model/measurement/measured_light.hpp"
 #include "host/model/measurement/measurement.hpp"
-#include "host/base/numbers.hpp"
 
 namespace brdftab {
 namespace {
 
 double number(const Csv& csv, std::string_view cell, std::string_view column, std::string_view allowed) {
   const auto value = parse_number(cell);
-  if (!value || std::isinf(*value)) throw BadInput("{}: {} = {}: must be {}", csv.where(), column, excerpt(cell), allowed);
+  if (!value || std::isinf(*value))
+    throw BadInput("{}: {} = {}: must be {}", csv.where(), column, excerpt(cell), allowed);
   return *value;
 }
 
@@ -24,7 +25,8 @@ bool take_angles(DirectionPair& pair, const AngleUnit& unit, const Csv& csv) {
   pair.phi = in_degrees(pair.phi, unit.phi);
   const double theta = std::max(pair.theta_i, pair.model_theta_s());
   if (theta > 90 + beyond_rim)
-    throw BadInput("{}: theta = {} degrees, by --angles {}: must be below 90", csv.where(), shortest(theta), unit.name);
+    throw BadInput("{}: theta = {} degrees, by --angles {}: must be below 90", csv.where(), shortest(theta),
+                   unit.name);
   return theta < 90;
 }
 
@@ -66,12 +68,14 @@ std::vector<BrdfColumn> brdf_columns(const Csv& csv) {
 
 }  // namespace
 
-Measurement read_csv_measurement(std::istream& in, const std::string& source, const MeasurementOptions& options) {
+Measurement read_csv_measurement(std::istream& in, const std::string& source,
+                                 const MeasurementOptions& options) {
   constexpr std::string_view wanted = "theta_i_deg, theta_s_deg, phi_deg and brdf_per_sr";
   Csv csv(in, source, wanted);
   const DirectionColumns directions(csv);
   const std::vector<BrdfColumn> brdf = brdf_columns(csv);
-  if (brdf.empty()) throw BadInput("{}: the column brdf_per_sr is missing; a header names {}", csv.where(), wanted);
+  if (brdf.empty())
+    throw BadInput("{}: the column brdf_per_sr is missing; a header names {}", csv.where(), wanted);
   const auto micrometres = csv.column("wavelength_um");
   if (micrometres && csv.column("wavelength_nm"))
     throw BadInput("{}: wavelength_nm and wavelength_um: one of them must do", csv.where());
@@ -95,15 +99,17 @@ Measurement read_csv_measurement(std::istream& in, const std::string& source, co
       MeasuredSample sample{.pair = pair, .brdf = 0, .channel = index, .share_s = share_s(column.light)};
       sample.brdf = number(csv, (*cells)[column.brdf], csv.name(column.brdf), "a number in 1/sr");
       if (column.sigma) {
-        sample.sigma = number(csv, (*cells)[*column.sigma], csv.name(*column.sigma), "a number above 0, in 1/sr");
+        sample.sigma =
+            number(csv, (*cells)[*column.sigma], csv.name(*column.sigma), "a number above 0, in 1/sr");
         if (!(sample.sigma > 0))
-          throw BadInput("{}: {} = {}: must be a number above 0, in 1/sr", csv.where(), csv.name(*column.sigma),
-                         excerpt((*cells)[*column.sigma]));
+          throw BadInput("{}: {} = {}: must be a number above 0, in 1/sr", csv.where(),
+                         csv.name(*column.sigma), excerpt((*cells)[*column.sigma]));
       }
       if (!is_at_rim) measurement.samples.push_back(sample);
     }
   }
-  if (at_rim > 0) measurement.warnings.push_back(fmt::format("{} samples at theta = 90 degrees: set aside", at_rim));
+  if (at_rim > 0)
+    measurement.warnings.push_back(fmt::format("{} samples at theta = 90 degrees: set aside", at_rim));
   if (!options.angles) warn_of_radians(measurement);
   return measurement;
 }

@@ -1,19 +1,18 @@
 // A long table of comma-separated values, for whatever reads text: a row for each pair of directions.
-#include "host/base/csv.hpp"
-
 #include <algorithm>
 #include <array>
 #include <fstream>
 #include <iterator>
 
+#include "host/base/csv.hpp"
 #include "host/base/error.hpp"
-#include "host/formats/export/export_text.hpp"
-#include "host/formats/registry.hpp"
-#include "host/formats/export/grid_table.hpp"
-#include "host/formats/export/grid_samples.hpp"
 #include "host/base/numbers.hpp"
-#include "host/table/table_content.hpp"
 #include "host/base/whole_file.hpp"
+#include "host/formats/export/export_text.hpp"
+#include "host/formats/export/grid_reader.hpp"
+#include "host/formats/export/grid_samples.hpp"
+#include "host/formats/registry.hpp"
+#include "host/table/table_content.hpp"
 
 namespace brdftab {
 namespace {
@@ -46,10 +45,12 @@ class CsvFormat : public ExportFormat {
                       .holds_polarization = true}) {}
 
   void add_options(CLI::App& parser) override {
-    parser.add_option("--csv-digits", digits_, "Significant digits of f, 1 to 17; default 9")->check(CLI::Range(1, 17));
+    parser.add_option("--csv-digits", digits_, "Significant digits of f, 1 to 17; default 9")
+        ->check(CLI::Range(1, 17));
   }
 
-  std::vector<std::string> write(const std::filesystem::path& file, const ExportSource& source) const override {
+  std::vector<std::string> write(const std::filesystem::path& file,
+                                 const ExportModel& source) const override {
     const Grid& grid = source.grid();
     const Directions directions = directions_of(grid);
     const auto s = source.evaluate(directions, Polarization::s);
@@ -58,8 +59,10 @@ class CsvFormat : public ExportFormat {
     fmt::memory_buffer text;
     const auto out = std::back_inserter(text);
     fmt::format_to(out, "{}\n", first_line);
-    for (const auto& line : description_lines(source, ExportChannels::bands)) fmt::format_to(out, "# {}\n", line);
-    fmt::format_to(out, "# {}\n{}{}\n", azimuth_convention, wavelengths.empty() ? "" : "wavelength_nm,", columns);
+    for (const auto& line : description_lines(source, ExportChannels::bands))
+      fmt::format_to(out, "# {}\n", line);
+    fmt::format_to(out, "# {}\n{}{}\n", azimuth_convention, wavelengths.empty() ? "" : "wavelength_nm,",
+                   columns);
     for (std::size_t band = 0; band < s.size(); ++band) {
       const std::string first = wavelengths.empty() ? "" : fmt::format("{},", wavelengths[band]);
       std::size_t k = 0;
@@ -68,8 +71,8 @@ class CsvFormat : public ExportFormat {
           for (const double theta_s : grid.theta_s.nodes()) {
             const std::string angles = fmt::format("{}{},{},{},", first, theta_i, phi_i, theta_s);
             for (const double phi_s : grid.phi_s.nodes()) {
-              fmt::format_to(out, "{}{},{:.{}g},{:.{}g},{:.{}g}\n", angles, phi_s, s[band][k], digits_, p[band][k], digits_,
-                             0.5 * (s[band][k] + p[band][k]), digits_);
+              fmt::format_to(out, "{}{},{:.{}g},{:.{}g},{:.{}g}\n", angles, phi_s, s[band][k], digits_,
+                             p[band][k], digits_, 0.5 * (s[band][k] + p[band][k]), digits_);
               ++k;
             }
           }
@@ -82,11 +85,12 @@ class CsvFormat : public ExportFormat {
     return beginning.starts_with(first_line) || beginning.find(columns) != beginning.npos;
   }
 
-  std::unique_ptr<ExportedTable> read(const std::filesystem::path& file) const override {
+  std::unique_ptr<ExportReader> read(const std::filesystem::path& file) const override {
     std::ifstream in(file);
     if (!in) throw FileError("{}: cannot be opened", file.string());
     Description description;
-    for (std::string line; in.peek() == '#' && std::getline(in, line);) description.read(std::string_view(line).substr(1));
+    for (std::string line; in.peek() == '#' && std::getline(in, line);)
+      description.read(std::string_view(line).substr(1));
     Csv csv(in, file.string(), columns);
     std::vector<std::size_t> wanted;
     for (const auto name : names) {
@@ -124,8 +128,8 @@ class CsvFormat : public ExportFormat {
       }
       return result;
     };
-    auto table =
-        std::make_unique<GridTable>(samples(angle_columns), std::move(wavelengths), std::move(description.material_text));
+    auto table = std::make_unique<GridReader>(samples(angle_columns), std::move(wavelengths),
+                                              std::move(description.material_text));
     table->set_digits(digits);
     if (is_polarized) {
       table->add_polarization(Polarization::s, samples(angle_columns + 1));

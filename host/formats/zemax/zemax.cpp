@@ -1,16 +1,17 @@
-// Zemax OpticStudio's tabular BSDF: scatter angles about the specular direction, with the reflectance at each incidence.
+// Zemax OpticStudio's tabular BSDF: scatter angles about the specular direction, with the reflectance at each
+// incidence.
 #include <algorithm>
 #include <fstream>
 #include <iterator>
 
 #include "host/base/error.hpp"
-#include "host/formats/export/export_text.hpp"
-#include "host/formats/registry.hpp"
-#include "host/formats/export/grid_samples.hpp"
 #include "host/base/numbers.hpp"
-#include "host/model/surface_vector.hpp"
 #include "host/base/whole_file.hpp"
+#include "host/formats/export/export_text.hpp"
+#include "host/formats/export/grid_samples.hpp"
+#include "host/formats/registry.hpp"
 #include "host/formats/zemax/zemax_file.hpp"
+#include "host/model/surface_vector.hpp"
 
 namespace brdftab {
 namespace {
@@ -33,9 +34,9 @@ std::vector<double> default_radials() {
 }
 
 // Its axes lie in GridSamples as theta_i, phi_i (sample rotation), theta_s (radial) and phi_s (azimuth).
-class ZemaxTable : public ExportedTable {
+class ZemaxReader : public ExportReader {
  public:
-  ZemaxTable(ZemaxFile file, Description description, GridSamples samples)
+  ZemaxReader(ZemaxFile file, Description description, GridSamples samples)
       : file_(std::move(file)), description_(std::move(description)), samples_(std::move(samples)) {}
 
   std::vector<std::vector<double>> evaluate(const Directions& directions) const override {
@@ -46,19 +47,24 @@ class ZemaxTable : public ExportedTable {
     }
     return samples_.evaluate(specular);
   }
-  ExportChannels channels() const override { return file_.blocks.size() == 3 ? ExportChannels::xyz : ExportChannels::bands; }
+  ExportChannels channels() const override {
+    return file_.blocks.size() == 3 ? ExportChannels::xyz : ExportChannels::bands;
+  }
   Illuminant illuminant() const override { return description_.illuminant; }
   std::vector<double> wavelengths_nm() const override { return description_.wavelengths_nm; }
   std::string material_text() const override { return description_.material_text; }
-  std::string interpolation() const override { return "linear interpolation about the specular direction, as libbsdf"; }
+  std::string interpolation() const override {
+    return "linear interpolation about the specular direction, as libbsdf";
+  }
   AngleRange theta_i_range() const override { return samples_.range(AxisKind::theta_i); }
   bool covers(const Directions& directions, std::size_t k) const override {
     const auto [radial, azimuth] = specular_angles(directions.theta_i[k], to_viewer(directions, k));
     return radial >= file_.radial.front() && radial <= file_.radial.back();
   }
 
-  std::unique_ptr<ExportedTable> rebuilt(const ExportSource& source, ValueErrors& errors) const override {
-    check_channels(file_.blocks.size(), channels() == ExportChannels::bands ? source.bands() : file_.blocks.size());
+  std::unique_ptr<ExportReader> rebuilt(const ExportModel& source, ValueErrors& errors) const override {
+    check_channels(file_.blocks.size(),
+                   channels() == ExportChannels::bands ? source.bands() : file_.blocks.size());
     compare_reflectance(source, errors);
     const Directions nodes = samples_.directions();
     Directions above;
@@ -76,10 +82,11 @@ class ZemaxTable : public ExportedTable {
       for (std::size_t k = 0; k < nodes.size(); ++k)
         errors.compare(samples_.values()[c][k], values[c][k], [&] {
           return fmt::format("{} at AngleOfIncidence {:.6g}, ScatterAzimuth {:.6g}, ScatterRadial {:.6g}",
-                             channel_name(channels(), source, c), nodes.theta_i[k], nodes.phi[k], nodes.theta_s[k]);
+                             channel_name(channels(), source, c), nodes.theta_i[k], nodes.phi[k],
+                             nodes.theta_s[k]);
         });
     }
-    return std::make_unique<ZemaxTable>(file_, description_, samples_.with_values(std::move(values)));
+    return std::make_unique<ZemaxReader>(file_, description_, samples_.with_values(std::move(values)));
   }
 
   static bool is_above(const SurfaceVector& viewer) { return viewer.theta() < largest_theta; }
@@ -87,12 +94,13 @@ class ZemaxTable : public ExportedTable {
  private:
   static constexpr double largest_theta = 89.9999;
 
-  void compare_reflectance(const ExportSource& source, ValueErrors& errors) const {
+  void compare_reflectance(const ExportModel& source, ValueErrors& errors) const {
     const auto reflectance = in_channels(channels(), source, source.dhr(file_.incidence));
     for (std::size_t c = 0; c < reflectance.size(); ++c)
       for (std::size_t i = 0; i < file_.incidence.size(); ++i)
         errors.compare(file_.blocks[c].tis.at(i), reflectance[c][i], [&] {
-          return fmt::format("TIS of {} at AngleOfIncidence {:.6g}", channel_name(channels(), source, c), file_.incidence[i]);
+          return fmt::format("TIS of {} at AngleOfIncidence {:.6g}", channel_name(channels(), source, c),
+                             file_.incidence[i]);
         });
   }
 
@@ -104,29 +112,34 @@ class ZemaxTable : public ExportedTable {
 class ZemaxFormat : public ExportFormat {
  public:
   ZemaxFormat()
-      : ExportFormat(
-            {.name = "zemax",
-             .consumer = "Zemax OpticStudio (tabular BSDF), and importers of its files; XYZ where there are several bands",
-             .extensions = {},
-             .suffix = "_zemax.bsdf"}) {}
+      : ExportFormat({.name = "zemax",
+                      .consumer = "Zemax OpticStudio (tabular BSDF), and importers of its files; XYZ where "
+                                  "there are several bands",
+                      .extensions = {},
+                      .suffix = "_zemax.bsdf"}) {}
 
   void add_options(CLI::App& parser) override {
     const auto add = [&](const char* name, std::string& text, std::string_view what) {
-      parser.add_option(name, text,
-                        fmt::format("{}, degrees: start:stop:step, or angles separated by commas; default: {}", what,
-                                    text.empty() ? "0.1 apart up to 1, 0.5 up to 5, 1 up to 20, then 2" : text));
+      parser.add_option(
+          name, text,
+          fmt::format("{}, degrees: start:stop:step, or angles separated by commas; default: {}", what,
+                      text.empty() ? "0.1 apart up to 1, 0.5 up to 5, 1 up to 20, then 2" : text));
     };
     add("--zemax-incidence", incidence_, "AngleOfIncidence");
-    add("--zemax-azimuth", azimuth_, "ScatterAzimuth about the specular direction, from 0, toward the normal, to 180");
+    add("--zemax-azimuth", azimuth_,
+        "ScatterAzimuth about the specular direction, from 0, toward the normal, to 180");
     add("--zemax-radial", radial_, "ScatterRadial, from the specular direction, from 0 to at most 180");
   }
 
-  std::vector<std::string> write(const std::filesystem::path& file, const ExportSource& source) const override {
+  std::vector<std::string> write(const std::filesystem::path& file,
+                                 const ExportModel& source) const override {
     const auto incidence = nodes("--zemax-incidence", incidence_, AxisKind::theta_i);
     const auto azimuth = nodes("--zemax-azimuth", azimuth_, AxisKind::phi_s);
-    const auto radial = radial_.empty() ? default_radials() : nodes("--zemax-radial", radial_, AxisKind::phi_s);
+    const auto radial =
+        radial_.empty() ? default_radials() : nodes("--zemax-radial", radial_, AxisKind::phi_s);
     if (azimuth.front() != 0 || azimuth.back() != 180)
-      throw BadInput("--zemax-azimuth {}: must begin with 0 and end with 180, the plane of symmetry", excerpt(azimuth_));
+      throw BadInput("--zemax-azimuth {}: must begin with 0 and end with 180, the plane of symmetry",
+                     excerpt(azimuth_));
     if (radial.front() != 0 || radial.back() > 180)
       throw BadInput("--zemax-radial {}: must begin with 0 and end at 180 at most", excerpt(radial_));
 
@@ -136,7 +149,7 @@ class ZemaxFormat : public ExportFormat {
       for (const double psi : azimuth)
         for (const double r : radial) {
           const SurfaceVector viewer = about_specular(theta_i, r, psi);
-          above.push_back(ZemaxTable::is_above(viewer));
+          above.push_back(ZemaxReader::is_above(viewer));
           if (above.back()) directions.add(theta_i, viewer.theta(), viewer.phi());
         }
     const bool is_colour = source.bands() > 1;
@@ -150,9 +163,11 @@ class ZemaxFormat : public ExportFormat {
     fmt::memory_buffer text;
     const auto out = std::back_inserter(text);
     fmt::format_to(out, "{}\n", first_line);
-    for (const auto& line : description_lines(source, is_colour ? ExportChannels::xyz : ExportChannels::bands))
+    for (const auto& line :
+         description_lines(source, is_colour ? ExportChannels::xyz : ExportChannels::bands))
       fmt::format_to(out, "# {}\n", line);
-    fmt::format_to(out, "Source\tMeasured\nSymmetry\tPlaneSymmetrical\nSpectralContent\t{}\nScatterType\tBRDF\n",
+    fmt::format_to(out,
+                   "Source\tMeasured\nSymmetry\tPlaneSymmetrical\nSpectralContent\t{}\nScatterType\tBRDF\n",
                    is_colour ? "XYZ" : "Monochrome");
     const auto list = [&](const char* name, const std::vector<double>& values) {
       fmt::format_to(out, "{}\t{}\n{}\n", name, values.size(), fmt::join(values, "\t"));
@@ -163,14 +178,16 @@ class ZemaxFormat : public ExportFormat {
     list("ScatterRadial", radial);
     fmt::format_to(out, "\n");
     for (std::size_t c = 0; c < f.size(); ++c) {
-      fmt::format_to(out, "{}\nDataBegin\n", is_colour ? fmt::format("Tristimulus{}", "XYZ"[c]) : "Monochrome");
+      fmt::format_to(out, "{}\nDataBegin\n",
+                     is_colour ? fmt::format("Tristimulus{}", "XYZ"[c]) : "Monochrome");
       auto value = f[c].begin();
       std::size_t node = 0;
       for (std::size_t i = 0; i < incidence.size(); ++i) {
         fmt::format_to(out, "TIS\t{:.9g}\n", reflectance[c][i]);
         for (std::size_t row = 0; row < azimuth.size(); ++row)
           for (std::size_t k = 0; k < radial.size(); ++k)
-            fmt::format_to(out, "{:.7g}{}", above[node++] ? *value++ : 0, k + 1 < radial.size() ? '\t' : '\n');
+            fmt::format_to(out, "{:.7g}{}", above[node++] ? *value++ : 0,
+                           k + 1 < radial.size() ? '\t' : '\n');
       }
       fmt::format_to(out, "DataEnd\n");
     }
@@ -190,24 +207,29 @@ class ZemaxFormat : public ExportFormat {
 
   bool recognises(const std::filesystem::path&, std::string_view beginning) const override {
     if (beginning.starts_with(first_line)) return true;
-    while (beginning.starts_with('#')) beginning.remove_prefix(std::min(beginning.find('\n'), beginning.size() - 1) + 1);
+    while (beginning.starts_with('#'))
+      beginning.remove_prefix(std::min(beginning.find('\n'), beginning.size() - 1) + 1);
     return beginning.starts_with("Source") && beginning.find("SampleRotation") != beginning.npos;
   }
 
-  std::unique_ptr<ExportedTable> read(const std::filesystem::path& path) const override {
+  std::unique_ptr<ExportReader> read(const std::filesystem::path& path) const override {
     std::ifstream in(path);
     if (!in) throw FileError("{}: cannot be opened", path.string());
     ZemaxFile file = ZemaxFile::read(in, path.string());
     if (file.blocks.size() != 1 && file.blocks.size() != 3)
-      throw BadInput("{}: has {} blocks of data; Monochrome has one, XYZ three", path.string(), file.blocks.size());
+      throw BadInput("{}: has {} blocks of data; Monochrome has one, XYZ three", path.string(),
+                     file.blocks.size());
     const std::vector<std::string_view> contents =
-        file.blocks.size() == 1 ? std::vector<std::string_view>{"Monochrome"}
-                                : std::vector<std::string_view>{"TristimulusX", "TristimulusY", "TristimulusZ"};
+        file.blocks.size() == 1
+            ? std::vector<std::string_view>{"Monochrome"}
+            : std::vector<std::string_view>{"TristimulusX", "TristimulusY", "TristimulusZ"};
     for (std::size_t c = 0; c < contents.size(); ++c)
       if (file.blocks[c].content != contents[c])
-        throw BadInput("{}: block {} is {}; must be {}", path.string(), c + 1, file.blocks[c].content, contents[c]);
+        throw BadInput("{}: block {} is {}; must be {}", path.string(), c + 1, file.blocks[c].content,
+                       contents[c]);
     if (file.rotation.size() != 1)
-      throw BadInput("{}: has {} rotations of the sample; an isotropic one has one", path.string(), file.rotation.size());
+      throw BadInput("{}: has {} rotations of the sample; an isotropic one has one", path.string(),
+                     file.rotation.size());
     Description description;
     for (const auto& line : file.comments) description.read(line);
     // [incidence][azimuth][radial] to [incidence][rotation][radial][azimuth].
@@ -220,8 +242,9 @@ class ZemaxFormat : public ExportFormat {
           for (std::size_t r = 0; r < radials; ++r)
             turned[(i * radials + r) * azimuths + a] = block.values[(i * azimuths + a) * radials + r];
     }
-    GridSamples samples({file.incidence, file.rotation, file.radial, file.azimuth}, std::move(values), path.string());
-    return std::make_unique<ZemaxTable>(std::move(file), std::move(description), std::move(samples));
+    GridSamples samples({file.incidence, file.rotation, file.radial, file.azimuth}, std::move(values),
+                        path.string());
+    return std::make_unique<ZemaxReader>(std::move(file), std::move(description), std::move(samples));
   }
 
  private:

@@ -28,7 +28,8 @@ class Words {
 
   bool ended() const { return at_ == words_.size(); }
   std::string where() const {
-    return fmt::format("{}:{}", source_, words_.empty() ? 1 : words_[std::min(at_, words_.size() - 1)].second);
+    return fmt::format("{}:{}", source_,
+                       words_.empty() ? 1 : words_[std::min(at_, words_.size() - 1)].second);
   }
   std::string word() {
     if (ended()) throw BadInput("{}: ends too early", where());
@@ -61,17 +62,19 @@ ZemaxFile ZemaxFile::read(std::istream& in, const std::string& source) {
   Words words(in, source);
   ZemaxFile file;
   file.comments = words.take_comments();
-  const std::array<std::pair<std::string_view, std::vector<double>*>, 4> axes{{{"SampleRotation", &file.rotation},
-                                                                               {"AngleOfIncidence", &file.incidence},
-                                                                               {"ScatterAzimuth", &file.azimuth},
-                                                                               {"ScatterRadial", &file.radial}}};
+  const std::array<std::pair<std::string_view, std::vector<double>*>, 4> axes{
+      {{"SampleRotation", &file.rotation},
+       {"AngleOfIncidence", &file.incidence},
+       {"ScatterAzimuth", &file.azimuth},
+       {"ScatterRadial", &file.radial}}};
   while (!words.ended()) {
     const std::string place = words.where();
     const std::string key = words.word();
     const auto axis = std::find_if(axes.begin(), axes.end(), [&](const auto& a) { return a.first == key; });
     if (axis != axes.end()) {
       const double count = words.number();
-      if (!(count >= 1 && count <= 1e6)) throw BadInput("{}: {} {}: must be a count", place, key, shortest(count));
+      if (!(count >= 1 && count <= 1e6))
+        throw BadInput("{}: {} {}: must be a count", place, key, shortest(count));
       for (int k = 0; k < static_cast<int>(count); ++k) axis->second->push_back(words.number());
     } else if (key == "ScatterType") {
       words.expect("BRDF");
@@ -84,7 +87,8 @@ ZemaxFile ZemaxFile::read(std::istream& in, const std::string& source) {
         if (list->empty()) throw BadInput("{}: {} is missing before the data", place, name);
       for (const double theta_i : file.incidence)
         if (!(theta_i >= 0 && theta_i < 90))
-          throw BadInput("{}: AngleOfIncidence {}: must be a number from 0 to below 90 degrees", place, shortest(theta_i));
+          throw BadInput("{}: AngleOfIncidence {}: must be a number from 0 to below 90 degrees", place,
+                         shortest(theta_i));
       ZemaxBlock& block = file.blocks.emplace_back();
       block.content = key;
       words.expect("DataBegin");

@@ -1,4 +1,5 @@
-// Zemax OpticStudio's tabular BSDF as text: axes in degrees about the specular direction, and blocks of values.
+// Zemax OpticStudio's tabular BSDF as text: axes in degrees about the specular direction, and blocks of
+// values.
 #pragma once
 
 #include <istream>

@@ -5,18 +5,20 @@
 #include <utility>
 
 #include "host/base/error.hpp"
-#include "host/formats/text/alta_astm_measurement.hpp"
 #include "host/base/numbers.hpp"
-#include "host/model/surface_vector.hpp"
+#include "host/formats/text/alta_astm_measurement.hpp"
 #include "host/formats/zemax/zemax_file.hpp"
+#include "host/model/surface_vector.hpp"
 
 namespace brdftab {
 namespace {
 
 double rounded(double degrees) { return std::round(degrees * 1e6) / 1e6; }
 
-// The format gives the one direction at radial 0 a value at every azimuth, and that of azimuth 0 again at 360 degrees.
-bool repeats(const ZemaxFile& file, std::span<const double> of_incidence, std::size_t azimuth, std::size_t radial) {
+// The format gives the one direction at radial 0 a value at every azimuth, and that of azimuth 0 again at 360
+// degrees.
+bool repeats(const ZemaxFile& file, std::span<const double> of_incidence, std::size_t azimuth,
+             std::size_t radial) {
   const double turn = file.azimuth[azimuth] - file.azimuth[0];
   return (turn == 360 || (turn > 0 && file.radial[radial] == 0)) &&
          of_incidence[azimuth * file.radial.size() + radial] == of_incidence[radial];
@@ -29,19 +31,22 @@ void take_angles(ZemaxFile& file, const AngleUnit& unit, const std::string& sour
     for (double& angle : *axis) angle = in_degrees(angle, unit.phi);
   for (const double theta_i : file.incidence)
     if (!(theta_i < 90))
-      throw BadInput("{}: AngleOfIncidence {} degrees: must be below 90; --angles {} takes the file's angles so", source,
-                     shortest(theta_i), unit.name);
+      throw BadInput(
+          "{}: AngleOfIncidence {} degrees: must be below 90; --angles {} takes the file's angles so", source,
+          shortest(theta_i), unit.name);
 }
 
 }  // namespace
 
-Measurement read_zemax_measurement(std::istream& in, const std::string& source, const MeasurementOptions& options) {
+Measurement read_zemax_measurement(std::istream& in, const std::string& source,
+                                   const MeasurementOptions& options) {
   ZemaxFile file = ZemaxFile::read(in, source);
   Measurement measurement;
   measurement.source = source;
   if (options.angles)
     take_angles(file, *options.angles, source);
-  else if (std::string doubt = doubt_of_degrees(file.incidence, file.radial, file.azimuth, std::numbers::pi); !doubt.empty())
+  else if (std::string doubt = doubt_of_degrees(file.incidence, file.radial, file.azimuth, std::numbers::pi);
+           !doubt.empty())
     measurement.warnings.push_back(std::move(doubt));
   std::size_t below_horizon = 0, repeated = 0;
   for (const ZemaxBlock& block : file.blocks) {
@@ -61,15 +66,18 @@ Measurement read_zemax_measurement(std::istream& in, const std::string& source, 
             else if (repeats(file, values, a, r))
               ++repeated;
             else
-              measurement.samples.push_back({.pair = {theta_i, theta_s, rounded(at.phi()), 0}, .brdf = brdf, .channel = channel});
+              measurement.samples.push_back(
+                  {.pair = {theta_i, theta_s, rounded(at.phi()), 0}, .brdf = brdf, .channel = channel});
           }
       }
   }
   if (repeated > 0)
-    measurement.warnings.push_back(
-        fmt::format("{} values repeat that of another azimuth in the same direction, as the format has it: set aside", repeated));
+    measurement.warnings.push_back(fmt::format(
+        "{} values repeat that of another azimuth in the same direction, as the format has it: set aside",
+        repeated));
   if (below_horizon > 0)
-    measurement.warnings.push_back(fmt::format("{} values above 0 lie below the horizon: set aside", below_horizon));
+    measurement.warnings.push_back(
+        fmt::format("{} values above 0 lie below the horizon: set aside", below_horizon));
   if (file.rotation.size() > 1)
     measurement.warnings.push_back(
         fmt::format("{} rotations of the sample are taken as one isotropic surface", file.rotation.size()));

@@ -19,8 +19,9 @@ double largest(std::span<const double> angles) {
 }
 
 bool are_multiples(std::span<const double> angles, double factor, double step, double tolerance) {
-  return std::all_of(angles.begin(), angles.end(),
-                     [&](double angle) { return std::abs(std::remainder(angle * factor, step)) <= tolerance; });
+  return std::all_of(angles.begin(), angles.end(), [&](double angle) {
+    return std::abs(std::remainder(angle * factor, step)) <= tolerance;
+  });
 }
 
 // As people write degrees.
@@ -29,7 +30,8 @@ bool are_round(std::span<const double> angles) { return are_multiples(angles, 1,
 }  // namespace
 
 std::optional<AngleUnit> parse_angle_unit(std::string_view name) {
-  const auto row = std::find_if(angle_units.begin(), angle_units.end(), [&](const auto& unit) { return unit.name == name; });
+  const auto row = std::find_if(angle_units.begin(), angle_units.end(),
+                                [&](const auto& unit) { return unit.name == name; });
   return row == angle_units.end() ? std::nullopt : std::optional(*row);
 }
 
@@ -37,8 +39,8 @@ double in_degrees(double angle, double degrees_in_unit) {
   return degrees_in_unit == 1 ? angle : std::round(angle * degrees_in_unit * 1e6) / 1e6;
 }
 
-std::string doubt_of_degrees(std::span<const double> theta_i, std::span<const double> theta_s, std::span<const double> phi,
-                             double largest_theta_s) {
+std::string doubt_of_degrees(std::span<const double> theta_i, std::span<const double> theta_s,
+                             std::span<const double> phi, double largest_theta_s) {
   const double highest_i = largest(theta_i), highest_s = largest(theta_s), highest_phi = largest(phi);
   if (highest_phi > turn * rounding) return {};
   if (highest_i <= 0.5 * std::numbers::pi * rounding && highest_s <= largest_theta_s * rounding) {
@@ -46,12 +48,14 @@ std::string doubt_of_degrees(std::span<const double> theta_i, std::span<const do
     const auto [low, high] = std::minmax_element(theta_i.begin(), theta_i.end());
     if (low == high || (*low == *high && are_round(theta_i) && are_round(theta_s))) return {};
     return fmt::format(
-        "no theta_i is above {:.4g}, no theta_s above {:.4g} degrees: these look like radians; --angles radians takes them so",
+        "no theta_i is above {:.4g}, no theta_s above {:.4g} degrees: these look like radians; --angles "
+        "radians takes them so",
         highest_i, highest_s);
   }
   if (highest_phi > 1.5 && !are_round(phi) && are_multiples(phi, degrees_in_radian, 1, 0.02))
     return fmt::format(
-        "no phi is above {:.5g} degrees, and all are whole degrees if taken as radians; --angles azimuth-radians takes them so",
+        "no phi is above {:.5g} degrees, and all are whole degrees if taken as radians; --angles "
+        "azimuth-radians takes them so",
         highest_phi);
   return {};
 }

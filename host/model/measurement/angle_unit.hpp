@@ -19,8 +19,9 @@ struct AngleUnit {
 inline constexpr double degrees_in_radian = 180 / std::numbers::pi;
 
 /// "azimuth-radians": theta in degrees, phi in radians.
-inline constexpr std::array<AngleUnit, 3> angle_units{
-    {{"degrees", 1, 1}, {"radians", degrees_in_radian, degrees_in_radian}, {"azimuth-radians", 1, degrees_in_radian}}};
+inline constexpr std::array<AngleUnit, 3> angle_units{{{"degrees", 1, 1},
+                                                       {"radians", degrees_in_radian, degrees_in_radian},
+                                                       {"azimuth-radians", 1, degrees_in_radian}}};
 
 /// None where the table has no such name.
 std::optional<AngleUnit> parse_angle_unit(std::string_view name);
@@ -28,9 +29,9 @@ std::optional<AngleUnit> parse_angle_unit(std::string_view name);
 /// Degrees, without the last digits that radians in text leave; exact where the unit is the degree.
 double in_degrees(double angle, double degrees_in_unit);
 
-/// What makes angles that are read as degrees look like radians, and the option that takes them so; empty where nothing does.
-/// `largest_theta_s`: of the layout, in radians.
-std::string doubt_of_degrees(std::span<const double> theta_i, std::span<const double> theta_s, std::span<const double> phi,
-                             double largest_theta_s = std::numbers::pi / 2);
+/// What makes angles that are read as degrees look like radians, and the option that takes them so; empty
+/// where nothing does. `largest_theta_s`: of the layout, in radians.
+std::string doubt_of_degrees(std::span<const double> theta_i, std::span<const double> theta_s,
+                             std::span<const double> phi, double largest_theta_s = std::numbers::pi / 2);
 
 }  // namespace brdftab

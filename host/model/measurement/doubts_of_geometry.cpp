@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "host/model/measurement/doubts.hpp"
 #include "host/base/error.hpp"
 #include "host/base/numbers.hpp"
+#include "host/model/measurement/doubts.hpp"
 #include "host/model/measurement/wavelength_unit.hpp"
 
 namespace brdftab {
@@ -34,7 +34,8 @@ double distance_from_retro(const DirectionPair& pair) {
   return std::hypot(sine * std::cos(phi) + std::sin(pair.theta_i * radian), sine * std::sin(phi));
 }
 
-// Degrees out of the plane of incidence that leave a sample in it, and between neighbours that interpolation may bridge.
+// Degrees out of the plane of incidence that leave a sample in it, and between neighbours that interpolation
+// may bridge.
 constexpr double in_plane = 1;
 constexpr double widest_gap = 16;
 
@@ -53,7 +54,8 @@ std::optional<double> ln_f(const Scan& scan, double theta_s) {
   return below->second + share * (above->second - below->second);
 }
 
-std::map<std::pair<std::size_t, std::size_t>, Scan> scans_in_plane(const Measurement& measurement, const Incidences& incidences) {
+std::map<std::pair<std::size_t, std::size_t>, Scan> scans_in_plane(const Measurement& measurement,
+                                                                   const Incidences& incidences) {
   std::map<std::pair<std::size_t, std::size_t>, Scan> scans;
   for (const auto& [pair, brdf, sigma, channel, share_s] : measurement.samples) {
     const double theta_s = pair.model_theta_s(), phi = pair.model_phi() * radian;
@@ -79,7 +81,8 @@ std::string doubt_of_azimuth(const Measurement& measurement) {
   }
   if (!(forward > 0 && backward > suspicious_asymmetry * forward)) return {};
   return fmt::format(
-      "at theta_i = {} degrees the peak is on the backward side, {:.3g} against {:.3g} 1/sr: unless the material "
+      "at theta_i = {} degrees the peak is on the backward side, {:.3g} against {:.3g} 1/sr: unless the "
+      "material "
       "retro-reflects, the azimuth is counted from the other side; --flip-azimuth turns it",
       shortest(highest), backward, forward);
 }
@@ -87,7 +90,8 @@ std::string doubt_of_azimuth(const Measurement& measurement) {
 std::string doubt_of_cosine(const Measurement& measurement) {
   // Where light and view change places f stays, and f cos theta_s changes by the ratio of the cosines.
   constexpr double least_contrast = 0.3, least_defect = 0.15;
-  // The model itself is not reciprocal, most at grazing: with N and V_m its f comes to 0.9 of the defect where it is divided.
+  // The model itself is not reciprocal, most at grazing: with N and V_m its f comes to 0.9 of the defect
+  // where it is divided.
   constexpr double largest_theta = 80, clearly_less = 0.75;
   constexpr std::size_t fewest_pairs = 2;
   const Incidences incidences = measurement.incidences();
@@ -97,7 +101,8 @@ std::string doubt_of_cosine(const Measurement& measurement) {
   for (const auto& [key, scan] : scans)
     for (const auto& [other_key, other] : scans) {
       if (other_key.first != key.first || other_key.second <= key.second) continue;
-      const double theta = incidences.angles()[key.second], other_theta = incidences.angles()[other_key.second];
+      const double theta = incidences.angles()[key.second],
+                   other_theta = incidences.angles()[other_key.second];
       if (std::max(theta, other_theta) > largest_theta) continue;
       const double expected = std::log(std::cos(other_theta * radian) / std::cos(theta * radian));
       for (const int side : {1, -1}) {
@@ -112,9 +117,11 @@ std::string doubt_of_cosine(const Measurement& measurement) {
     }
   const auto count = static_cast<double>(pairs);
   if (pairs < fewest_pairs || contrast < count * least_contrast * least_contrast) return {};
-  if (if_divided >= clearly_less * clearly_less * as_read || as_read < count * least_defect * least_defect) return {};
+  if (if_divided >= clearly_less * clearly_less * as_read || as_read < count * least_defect * least_defect)
+    return {};
   return fmt::format(
-      "light and view cannot change places: ln f differs by {:.2g} in {} pairs of directions in plane, and by {:.2g} if divided "
+      "light and view cannot change places: ln f differs by {:.2g} in {} pairs of directions in plane, and "
+      "by {:.2g} if divided "
       "by cos theta_s: this looks like f cos theta_s; --values cosine-weighted mends that",
       std::sqrt(as_read / count), pairs, std::sqrt(if_divided / count));
 }
@@ -130,7 +137,8 @@ std::string doubt_of_geometry(const Measurement& measurement) {
   std::vector<Views> absolute(wide.size()), relative(wide.size());
   for (const auto& sample : measurement.samples) {
     const DirectionPair& pair = sample.pair;
-    const double theta_s = pair.model_theta_s(), phi = theta_s == 0 ? 0 : std::abs(std::remainder(pair.model_phi(), 360));
+    const double theta_s = pair.model_theta_s(),
+                 phi = theta_s == 0 ? 0 : std::abs(std::remainder(pair.model_phi(), 360));
     views[incidences.index(pair.theta_i)].insert({theta_s, phi});
     absolute[wide.index(pair.theta_i)].insert({std::round(theta_s), std::round(phi)});
     relative[wide.index(pair.theta_i)].insert({std::round(theta_s - pair.theta_i), std::round(phi)});
@@ -142,10 +150,12 @@ std::string doubt_of_geometry(const Measurement& measurement) {
   if (2 * few <= views.size() || 2 * few_in_groups <= wide.size()) return {};
   const bool is_one = std::all_of(views.begin(), views.end(), [](const Views& v) { return v.size() == 1; });
   return fmt::format(
-      "{} of {} incidences have {}: how f falls off along theta_s and phi is hardly in the data, so widths (rho) and heights "
+      "{} of {} incidences have {}: how f falls off along theta_s and phi is hardly in the data, so widths "
+      "(rho) and heights "
       "(sigma) of lobes are not told apart; --fix holds what is known",
       few, views.size(),
-      is_one ? std::string("one direction of view only") : fmt::format("fewer than {} directions of view", few_views));
+      is_one ? std::string("one direction of view only")
+             : fmt::format("fewer than {} directions of view", few_views));
 }
 
 std::string doubt_of_wavelengths(const Measurement& measurement) {
@@ -160,12 +170,12 @@ std::string doubt_of_wavelengths(const Measurement& measurement) {
   }
   // Channels 1, 2, 3 are names.
   if (are_counted || (is_plausible_wavelength(low) && is_plausible_wavelength(high))) return {};
-  std::string line = fmt::format("wavelengths of {:.6g} to {:.6g} nm are not within {:.0f} nm to {:.0f} um", low, high,
-                                 least_plausible_nm, largest_plausible_nm / 1e3);
+  std::string line = fmt::format("wavelengths of {:.6g} to {:.6g} nm are not within {:.0f} nm to {:.0f} um",
+                                 low, high, least_plausible_nm, largest_plausible_nm / 1e3);
   for (const WavelengthUnit& unit : wavelength_units)
     if (unit.nm != 1 && is_plausible_wavelength(low * unit.nm) && is_plausible_wavelength(high * unit.nm))
-      return line + fmt::format(": as {} they are {:.6g} to {:.6g} nm; --wavelength-unit {} takes them so", unit.name,
-                                low * unit.nm, high * unit.nm, unit.name);
+      return line + fmt::format(": as {} they are {:.6g} to {:.6g} nm; --wavelength-unit {} takes them so",
+                                unit.name, low * unit.nm, high * unit.nm, unit.name);
   return line + "; --wavelength-unit says their unit";
 }
 

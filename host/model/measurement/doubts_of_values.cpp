@@ -5,16 +5,17 @@
 #include <map>
 #include <numbers>
 
-#include "host/model/measurement/doubts.hpp"
 #include "host/base/error.hpp"
 #include "host/base/numbers.hpp"
+#include "host/model/measurement/doubts.hpp"
 
 namespace brdftab {
 namespace {
 
 constexpr double radian = std::numbers::pi / 180;
 
-// A diffuse reflectance above 1 by more than a measurement's error; a reflectance factor reads at most pi times too high.
+// A diffuse reflectance above 1 by more than a measurement's error; a reflectance factor reads at most pi
+// times too high.
 constexpr double suspicious_reflectance = 1.1;
 // Grazing samples may be large, whatever the unit.
 constexpr double largest_theta = 60;
@@ -32,11 +33,13 @@ double low_level(std::vector<double> values) {
 // In the plane of direction cosines, where lobes are about circles.
 double distance_from_peaks(const DirectionPair& pair) {
   const double alpha_0 = std::sin(pair.theta_i * radian), sine = std::sin(pair.model_theta_s() * radian);
-  const double alpha = sine * std::cos(pair.model_phi() * radian), beta = sine * std::sin(pair.model_phi() * radian);
+  const double alpha = sine * std::cos(pair.model_phi() * radian),
+               beta = sine * std::sin(pair.model_phi() * radian);
   return std::min(std::hypot(alpha - alpha_0, beta), std::hypot(alpha + alpha_0, beta));
 }
 
-// The lowest over the incidences, or where those have few samples, of all of them; infinite where none can tell.
+// The lowest over the incidences, or where those have few samples, of all of them; infinite where none can
+// tell.
 double diffuse_level(const Measurement& measurement) {
   const Incidences incidences = measurement.incidences();
   std::map<std::pair<std::size_t, std::size_t>, std::vector<double>> by_incidence;
@@ -65,11 +68,13 @@ std::map<std::size_t, std::vector<double>> values_by_channel(const Measurement& 
 }
 
 constexpr double clearly_negative = -0.1;
-// Of the samples: peaks of a logarithm are above 0 in few stretches, where noise about 0 changes its sign at every other sample.
+// Of the samples: peaks of a logarithm are above 0 in few stretches, where noise about 0 changes its sign at
+// every other sample.
 constexpr double most_changes_of_sign = 0.2;
 
 double quantile(std::vector<double> values, double share) {
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  const auto at =
+      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), at, values.end());
   return *at;
 }
@@ -90,13 +95,16 @@ std::string doubt_of_level(const Measurement& measurement) {
   const double reflectance = std::numbers::pi * level;
   if (reflectance <= suspicious_reflectance) return {};
   const std::string what = fmt::format(
-      "f is at least {:.3g} 1/sr at nearly all directions away from its peaks, a reflectance of {:.3g}: this looks like ", level,
-      reflectance);
+      "f is at least {:.3g} 1/sr at nearly all directions away from its peaks, a reflectance of {:.3g}: this "
+      "looks like ",
+      level, reflectance);
   if (reflectance <= suspicious_reflectance * std::numbers::pi)
     return what +
-           "pi f, which --values pi-f (or --scale 0.3183099) mends, or like percent of a dark surface, which --values percent "
+           "pi f, which --values pi-f (or --scale 0.3183099) mends, or like percent of a dark surface, which "
+           "--values percent "
            "mends";
-  return what + "percent: --values percent mends 100 pi f (100 of a perfect diffuser), --scale 0.01 mends 100 f";
+  return what +
+         "percent: --values percent mends 100 pi f (100 of a perfect diffuser), --scale 0.01 mends 100 f";
 }
 
 std::string doubt_of_logarithms(const Measurement& measurement) {
@@ -105,7 +113,8 @@ std::string doubt_of_logarithms(const Measurement& measurement) {
   bool found = false;
   for (const auto& [channel, values] : values_by_channel(measurement)) {
     count += values.size();
-    negative += static_cast<std::size_t>(std::count_if(values.begin(), values.end(), [](double v) { return v < 0; }));
+    negative +=
+        static_cast<std::size_t>(std::count_if(values.begin(), values.end(), [](double v) { return v < 0; }));
     if (!look_like_logarithms(values)) continue;
     found = true;
     median = std::min(median, quantile(values, 0.5));
@@ -118,7 +127,8 @@ std::string doubt_of_logarithms(const Measurement& measurement) {
   if (median > darkest * std::numbers::ln10) likely.push_back("ln");
   likely.push_back("db");
   return fmt::format(
-      "{} of {} values are negative, in whole stretches: they look like logarithms of f; --values {} takes them so "
+      "{} of {} values are negative, in whole stretches: they look like logarithms of f; --values {} takes "
+      "them so "
       "(log10 f, ln f, 10 log10 f)",
       negative, count, fmt::join(likely, ", --values "));
 }

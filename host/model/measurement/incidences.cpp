@@ -8,7 +8,8 @@ namespace brdftab {
 namespace {
 
 constexpr double finest_label = 1e-6, coarsest_label = 1e-2;  // degrees
-// Steps of a regular scan differ in their last bits; they count as equal, lest rounding decide which of them are joined.
+// Steps of a regular scan differ in their last bits; they count as equal, lest rounding decide which of them
+// are joined.
 constexpr double same_step = 1e-7;
 
 double rounded(double mean, double spread) {
@@ -27,7 +28,9 @@ std::vector<Incidences::Group> Incidences::join(const std::vector<Group>& groups
   std::iota(last.begin(), last.end(), 0);
   std::vector<std::size_t> gaps;  // between a group and the one before
   for (std::size_t k = 1; k < groups.size(); ++k) gaps.push_back(k);
-  const auto step = [&](std::size_t k) { return std::round((groups[k].lowest - groups[k - 1].highest) / same_step); };
+  const auto step = [&](std::size_t k) {
+    return std::round((groups[k].lowest - groups[k - 1].highest) / same_step);
+  };
   std::stable_sort(gaps.begin(), gaps.end(), [&](std::size_t a, std::size_t b) { return step(a) < step(b); });
   for (const std::size_t k : gaps) {
     const std::size_t low = first[k - 1], high = last[k];
@@ -79,8 +82,8 @@ std::vector<double> Incidences::angles() const {
 }
 
 std::size_t Incidences::index(double theta_i) const {
-  const auto after =
-      std::upper_bound(groups_.begin(), groups_.end(), theta_i, [](double x, const Group& g) { return x < g.lowest; });
+  const auto after = std::upper_bound(groups_.begin(), groups_.end(), theta_i,
+                                      [](double x, const Group& g) { return x < g.lowest; });
   return static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - groups_.begin() - 1, 0));
 }
 

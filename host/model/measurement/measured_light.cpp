@@ -35,7 +35,8 @@ void take_means(Measurement& measurement) {
   }
   measurement.samples = std::move(means);
   measurement.warnings.push_back(
-      "f of unpolarised light is taken as the mean of brdf_s and brdf_p; --polarization s, p or all takes them as they are");
+      "f of unpolarised light is taken as the mean of brdf_s and brdf_p; --polarization s, p or all takes "
+      "them as they are");
 }
 
 }  // namespace
@@ -47,14 +48,16 @@ std::string_view light_word(double share_s) {
 std::vector<Polarization> light_named(const std::string& name) {
   if (name == "all") return {Polarization::s, Polarization::p};
   const auto at = std::find(polarization_names.begin(), polarization_names.end(), name);
-  if (at == polarization_names.end()) throw BadInput("--polarization {}: must be unpolarized, s, p or all", name);
+  if (at == polarization_names.end())
+    throw BadInput("--polarization {}: must be unpolarized, s, p or all", name);
   return {static_cast<Polarization>(at - polarization_names.begin())};
 }
 
 void choose_light(Measurement& measurement, const std::vector<Polarization>& light, bool tells_light) {
   if (!tells_light) {
     if (light.size() > 1)
-      throw BadInput("{}: --polarization all takes a CSV file with the columns brdf_s and brdf_p", measurement.source);
+      throw BadInput("{}: --polarization all takes a CSV file with the columns brdf_s and brdf_p",
+                     measurement.source);
     for (MeasuredSample& sample : measurement.samples) sample.share_s = share_s(light.front());
     return;
   }
@@ -68,12 +71,16 @@ void choose_light(Measurement& measurement, const std::vector<Polarization>& lig
     if (has(measurement, wanted)) continue;
     std::vector<std::string> there;
     for (const Polarization other : all_light)
-      if (has(measurement, other)) there.push_back(fmt::format("{} ({})", brdf_name(other), light_word(share_s(other))));
-    throw BadInput("{}: has no column {} (or {}_per_sr) of {} light; it has {}: --polarization takes what is there",
-                   measurement.source, brdf_name(wanted), brdf_name(wanted), light_word(share_s(wanted)), fmt::join(there, ", "));
+      if (has(measurement, other))
+        there.push_back(fmt::format("{} ({})", brdf_name(other), light_word(share_s(other))));
+    throw BadInput(
+        "{}: has no column {} (or {}_per_sr) of {} light; it has {}: --polarization takes what is there",
+        measurement.source, brdf_name(wanted), brdf_name(wanted), light_word(share_s(wanted)),
+        fmt::join(there, ", "));
   }
   std::erase_if(measurement.samples, [&](const MeasuredSample& sample) {
-    return std::none_of(light.begin(), light.end(), [&](Polarization wanted) { return sample.share_s == share_s(wanted); });
+    return std::none_of(light.begin(), light.end(),
+                        [&](Polarization wanted) { return sample.share_s == share_s(wanted); });
   });
 }
 

@@ -10,11 +10,11 @@
 #include <set>
 #include <tuple>
 
-#include "host/model/measurement/doubts.hpp"
 #include "host/base/error.hpp"
-#include "host/model/measurement/measured_light.hpp"
-#include "host/formats/text/alta_astm_measurement.hpp"
 #include "host/base/numbers.hpp"
+#include "host/formats/text/alta_astm_measurement.hpp"
+#include "host/model/measurement/doubts.hpp"
+#include "host/model/measurement/measured_light.hpp"
 
 namespace brdftab {
 namespace {
@@ -32,7 +32,8 @@ void set_aside_what_is_no_number(Measurement& measurement) {
     return std::isnan(sample.brdf);
   });
   const auto warn = [&](std::size_t number, std::string_view what) {
-    if (number > 0) measurement.warnings.push_back(fmt::format("{} of {} samples are {}", number, count, what));
+    if (number > 0)
+      measurement.warnings.push_back(fmt::format("{} of {} samples are {}", number, count, what));
   };
   warn(nans, "nan: set aside");
   warn(zeros, "zero");
@@ -60,9 +61,10 @@ void count_repeated_readings(Measurement& measurement) {
     equal += !readings.insert({direction_of(sample), sample.brdf}).second;
   }
   if (again > 0)
-    measurement.warnings.push_back(fmt::format(
-        "{} samples have the directions of an earlier one, {} of them its value too: each counts as a reading of its own", again,
-        equal));
+    measurement.warnings.push_back(
+        fmt::format("{} samples have the directions of an earlier one, {} of them its value too: each counts "
+                    "as a reading of its own",
+                    again, equal));
 }
 
 struct Reader {
@@ -81,19 +83,23 @@ constexpr std::array<Reader, 5> readers{{{"csv", {".csv", ".csv"}, read_csv_meas
 
 std::string format_of(const std::filesystem::path& file) {
   std::string extension = file.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return std::tolower(c); });
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return std::tolower(c); });
   if (file == "-") return "csv";
   for (const Reader& reader : readers)
     if (std::find(reader.extensions.begin(), reader.extensions.end(), extension) != reader.extensions.end())
       return std::string(reader.format);
-  throw BadInput("{}: its extension is not that of a measurement; --format says which it is: csv, alta, astm, zemax or merl",
-                 file.string());
+  throw BadInput(
+      "{}: its extension is not that of a measurement; --format says which it is: csv, alta, astm, zemax or "
+      "merl",
+      file.string());
 }
 
 }  // namespace
 
 bool Measurement::has_sigma() const {
-  return !samples.empty() && std::none_of(samples.begin(), samples.end(), [](const auto& s) { return std::isnan(s.sigma); });
+  return !samples.empty() &&
+         std::none_of(samples.begin(), samples.end(), [](const auto& s) { return std::isnan(s.sigma); });
 }
 
 Incidences Measurement::incidences() const {
@@ -138,8 +144,9 @@ void set_aside_repeats_of_grid(Measurement& measurement) {
     if (!is_new && at->second != sample.brdf && !(std::isnan(at->second) && std::isnan(sample.brdf))) return;
   }
   std::set<Direction> seen;
-  const std::size_t repeated =
-      std::erase_if(measurement.samples, [&](const MeasuredSample& sample) { return !seen.insert(direction_of(sample)).second; });
+  const std::size_t repeated = std::erase_if(measurement.samples, [&](const MeasuredSample& sample) {
+    return !seen.insert(direction_of(sample)).second;
+  });
   if (repeated > 0)
     measurement.warnings.push_back(
         fmt::format("{} rows repeat the value of an earlier one in the same direction, as grids do at "
@@ -156,7 +163,8 @@ void unite_channels(Measurement& measurement, const std::optional<WavelengthUnit
       const auto other = parse_wavelength(name);
       return wavelength && other ? is_same_wavelength(wavelength->nm, other->nm) : name == text;
     };
-    united.push_back(static_cast<std::size_t>(std::find_if(names.begin(), names.end(), is_this) - names.begin()));
+    united.push_back(
+        static_cast<std::size_t>(std::find_if(names.begin(), names.end(), is_this) - names.begin()));
     if (united.back() < names.size()) continue;
     names.push_back(wavelength && wavelength->nm_per_unit != 1 ? shortest(wavelength->nm) : text);
   }
@@ -174,8 +182,10 @@ void clean(Measurement& measurement, const MeasurementOptions& options) {
   const std::string logarithms = are_known ? std::string() : doubt_of_logarithms(measurement);
   add(logarithms);
   set_aside_what_is_no_number(measurement);
-  if (std::none_of(measurement.samples.begin(), measurement.samples.end(), [](const auto& sample) { return sample.brdf > 0; }))
-    throw BadInput("{}: no sample has f above 0{}{}", measurement.source, logarithms.empty() ? "" : ": ", logarithms);
+  if (std::none_of(measurement.samples.begin(), measurement.samples.end(),
+                   [](const auto& sample) { return sample.brdf > 0; }))
+    throw BadInput("{}: no sample has f above 0{}{}", measurement.source, logarithms.empty() ? "" : ": ",
+                   logarithms);
   count_repeated_readings(measurement);
   if (!are_known && logarithms.empty()) {
     add(doubt_of_level(measurement));
@@ -188,7 +198,8 @@ void clean(Measurement& measurement, const MeasurementOptions& options) {
 
 Measurement read_measurement(const std::filesystem::path& file, const MeasurementOptions& options) {
   const std::string format = options.format.empty() ? format_of(file) : options.format;
-  const auto reader = std::find_if(readers.begin(), readers.end(), [&](const Reader& r) { return r.format == format; });
+  const auto reader =
+      std::find_if(readers.begin(), readers.end(), [&](const Reader& r) { return r.format == format; });
   if (reader == readers.end()) throw BadInput("--format {}: must be csv, alta, astm, zemax or merl", format);
   Measurement measurement;
   if (file == "-") {
@@ -197,7 +208,8 @@ Measurement read_measurement(const std::filesystem::path& file, const Measuremen
     std::error_code error;
     if (std::filesystem::is_directory(file, error)) throw FileError("{}: is a folder", file.string());
     std::ifstream in(file, std::ios::binary);
-    if (!in) throw FileError("{}: cannot be opened: {}", file.string(), std::generic_category().message(errno));
+    if (!in)
+      throw FileError("{}: cannot be opened: {}", file.string(), std::generic_category().message(errno));
     measurement = reader->read(in, file.string(), options);
     if (in.bad()) throw FileError("{}: cannot be read", file.string());
   }

@@ -10,12 +10,12 @@
 #include <string_view>
 #include <vector>
 
-#include "host/model/measurement/angle_unit.hpp"
 #include "host/model/direction_list.hpp"
+#include "host/model/measurement/angle_unit.hpp"
 #include "host/model/measurement/incidences.hpp"
-#include "host/model/polarization.hpp"
 #include "host/model/measurement/value_kind.hpp"
 #include "host/model/measurement/wavelength_unit.hpp"
+#include "host/model/polarization.hpp"
 
 namespace brdftab {
 
@@ -73,32 +73,36 @@ struct MeasurementOptions {
   std::uint64_t merl_seed = 1;
   /// Adds 180 degrees to phi: for files whose azimuth 0 is the backward side.
   bool flip_azimuth = false;
-  /// What to read: the columns brdf, brdf_s or brdf_p of CSV, or s and p together; of other formats, what they were measured in.
+  /// What to read: the columns brdf, brdf_s or brdf_p of CSV, or s and p together; of other formats, what
+  /// they were measured in.
   std::vector<Polarization> light{Polarization::unpolarized};
   /// Of one setting of theta_i, degrees; 0 tells every two numbers apart.
   double incidence_width = Incidences::usual_width;
 };
 
-/// Reads a file ("-": standard input, CSV). Values that are nan, and what a format itself repeats, are set aside and counted;
-/// zero and negative ones are counted and kept, and so are equal readings of one direction. Throws FileError where it cannot be
-/// read, and BadInput `FILE:LINE: ...` where its content is no measurement.
+/// Reads a file ("-": standard input, CSV). Values that are nan, and what a format itself repeats, are set
+/// aside and counted; zero and negative ones are counted and kept, and so are equal readings of one
+/// direction. Throws FileError where it cannot be read, and BadInput `FILE:LINE: ...` where its content is no
+/// measurement.
 Measurement read_measurement(const std::filesystem::path& file, const MeasurementOptions& options = {});
 
-/// CSV with the columns of `read_directions`, of brdf, brdf_s and brdf_p those that are there (1/sr; brdf_per_sr and the like are
-/// taken too), and optionally channel, wavelength_nm or wavelength_um, and sigma, or sigma_s and sigma_p (1/sr). Of the options
-/// it takes `angles`.
-Measurement read_csv_measurement(std::istream& in, const std::string& source, const MeasurementOptions& options = {});
+/// CSV with the columns of `read_directions`, of brdf, brdf_s and brdf_p those that are there (1/sr;
+/// brdf_per_sr and the like are taken too), and optionally channel, wavelength_nm or wavelength_um, and
+/// sigma, or sigma_s and sigma_p (1/sr). Of the options it takes `angles`.
+Measurement read_csv_measurement(std::istream& in, const std::string& source,
+                                 const MeasurementOptions& options = {});
 
-/// Channels that are the same wavelength, whatever their text, become one; names with another unit than nm, or in `unit`,
-/// become numbers in nm.
+/// Channels that are the same wavelength, whatever their text, become one; names with another unit than nm,
+/// or in `unit`, become numbers in nm.
 void unite_channels(Measurement& measurement, const std::optional<WavelengthUnit>& unit);
 
-/// For formats that grids are written in: where every direction that occurs again has its value again, all but the first are
-/// set aside and counted. Where one does not, the rows are readings, and all are kept.
+/// For formats that grids are written in: where every direction that occurs again has its value again, all
+/// but the first are set aside and counted. Where one does not, the rows are readings, and all are kept.
 void set_aside_repeats_of_grid(Measurement& measurement);
 
-/// Sets aside what is no number; then counts readings that are not above 0 or repeat, and adds warnings where values or azimuths
-/// look unlike f_r in 1/sr with phi = 0 forward. Throws BadInput where no value is above 0.
+/// Sets aside what is no number; then counts readings that are not above 0 or repeat, and adds warnings where
+/// values or azimuths look unlike f_r in 1/sr with phi = 0 forward. Throws BadInput where no value is above
+/// 0.
 void clean(Measurement& measurement, const MeasurementOptions& options = {});
 
 }  // namespace brdftab

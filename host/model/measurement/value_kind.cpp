@@ -14,7 +14,8 @@ double cosine(double degrees) { return std::cos(degrees * std::numbers::pi / 180
 }  // namespace
 
 std::optional<ValueKind> parse_value_kind(std::string_view name) {
-  const auto row = std::find_if(value_kind_table.begin(), value_kind_table.end(), [&](const auto& r) { return r.name == name; });
+  const auto row = std::find_if(value_kind_table.begin(), value_kind_table.end(),
+                                [&](const auto& r) { return r.name == name; });
   return row == value_kind_table.end() ? std::nullopt : std::optional(row->kind);
 }
 

@@ -21,7 +21,8 @@ double rounded(double nm) {
 }  // namespace
 
 std::optional<WavelengthUnit> parse_wavelength_unit(std::string_view name) {
-  const auto row = std::find_if(wavelength_units.begin(), wavelength_units.end(), [&](const auto& u) { return u.name == name; });
+  const auto row = std::find_if(wavelength_units.begin(), wavelength_units.end(),
+                                [&](const auto& u) { return u.name == name; });
   return row == wavelength_units.end() ? std::nullopt : std::optional(*row);
 }
 
@@ -42,6 +43,8 @@ std::optional<NamedWavelength> parse_wavelength(std::string_view text, const Wav
   return NamedWavelength{.nm = factor == 1 ? *value : rounded(*value * factor), .nm_per_unit = factor};
 }
 
-bool is_same_wavelength(double nm, double other_nm) { return std::abs(nm - other_nm) <= resolution * std::max(nm, other_nm); }
+bool is_same_wavelength(double nm, double other_nm) {
+  return std::abs(nm - other_nm) <= resolution * std::max(nm, other_nm);
+}
 
 }  // namespace brdftab

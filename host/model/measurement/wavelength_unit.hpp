@@ -18,7 +18,9 @@ inline constexpr std::array<WavelengthUnit, 3> wavelength_units{{{"nm", 1}, {"um
 /// Vacuum ultraviolet to far infrared, nm: beyond it a number is more likely in another unit.
 inline constexpr double least_plausible_nm = 100;
 inline constexpr double largest_plausible_nm = 100'000;
-inline bool is_plausible_wavelength(double nm) { return nm >= least_plausible_nm && nm <= largest_plausible_nm; }
+inline bool is_plausible_wavelength(double nm) {
+  return nm >= least_plausible_nm && nm <= largest_plausible_nm;
+}
 
 /// None where the table has no such name.
 std::optional<WavelengthUnit> parse_wavelength_unit(std::string_view name);
@@ -29,9 +31,10 @@ struct NamedWavelength {
   double nm_per_unit;
 };
 
-/// "450", "0.45um", "450 nm", "4.5e-7m" (a micro sign is read too); a number alone is in `unit`. None where the text is no
-/// wavelength above 0.
-std::optional<NamedWavelength> parse_wavelength(std::string_view text, const WavelengthUnit& unit = wavelength_units[0]);
+/// "450", "0.45um", "450 nm", "4.5e-7m" (a micro sign is read too); a number alone is in `unit`. None where
+/// the text is no wavelength above 0.
+std::optional<NamedWavelength> parse_wavelength(std::string_view text,
+                                                const WavelengthUnit& unit = wavelength_units[0]);
 
 /// Two that decimals in other units and float32 tell apart, no more.
 bool is_same_wavelength(double nm, double other_nm);

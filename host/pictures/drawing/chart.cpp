@@ -1,10 +1,10 @@
 #include "host/pictures/drawing/chart.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 namespace brdftab {
@@ -29,7 +29,8 @@ class Drawing {
     for (const Panel& panel : chart.panels)
       for (const Series& series : panel.series) {
         if (series.label.empty()) continue;
-        auto at = std::find_if(entries_.begin(), entries_.end(), [&](const auto& entry) { return entry.label == series.label; });
+        auto at = std::find_if(entries_.begin(), entries_.end(),
+                               [&](const auto& entry) { return entry.label == series.label; });
         if (at == entries_.end()) at = entries_.insert(entries_.end(), {series.label});
         (series.dots ? at->dots : at->line) = true;
       }
@@ -41,7 +42,8 @@ class Drawing {
   std::string svg() const {
     Svg svg(width_, height_);
     svg.text(margin, 26, chart_.title, {.anchor = "start", .size = title_size, .bold = true});
-    svg.text(margin, 45, chart_.subtitle, {.anchor = "start", .size = subtitle_size, .ink = inks::faint_text});
+    svg.text(margin, 45, chart_.subtitle,
+             {.anchor = "start", .size = subtitle_size, .ink = inks::faint_text});
     for (std::size_t k = 0; k < chart_.panels.size(); ++k) draw(svg, k);
     draw_legend(svg);
     return svg.document(plain_text(chart_.title), data());
@@ -54,13 +56,16 @@ class Drawing {
     bool dots = false;
   };
 
-  bool shows_y(std::size_t k) const { return k % columns_ == 0 || !(chart_.panels[k].y == chart_.panels[k - 1].y); }
+  bool shows_y(std::size_t k) const {
+    return k % columns_ == 0 || !(chart_.panels[k].y == chart_.panels[k - 1].y);
+  }
   bool shows_x(std::size_t k) const {
     return k + columns_ >= chart_.panels.size() || !(chart_.panels[k].x == chart_.panels[k + columns_].x);
   }
 
   void lay_out() {
-    const bool titled = std::any_of(chart_.panels.begin(), chart_.panels.end(), [](const auto& p) { return !p.title.empty(); });
+    const bool titled = std::any_of(chart_.panels.begin(), chart_.panels.end(),
+                                    [](const auto& p) { return !p.title.empty(); });
     const double head = (chart_.subtitle.empty() ? 40 : 58) + 0.0;
     std::vector<double> before(columns_, 0), below(rows_, 14);
     for (std::size_t k = 0; k < chart_.panels.size(); ++k) {
@@ -90,8 +95,9 @@ class Drawing {
     panel_height_ = chart_.panel_height > 0 ? chart_.panel_height : columns_ == 1 && rows_ == 1 ? 380 : 230;
     const double height = panel_height_ * static_cast<double>(rows_);
     measure_legend(height - 20 - 16 * static_cast<double>(chart_.notes.size()));
-    panel_width_ = chart_.panel_width > 0 ? chart_.panel_width
-                                          : std::max((usual_width - taken - legend) / static_cast<double>(columns_), 200.0);
+    panel_width_ = chart_.panel_width > 0
+                       ? chart_.panel_width
+                       : std::max((usual_width - taken - legend) / static_cast<double>(columns_), 200.0);
     for (const Panel& panel : chart_.panels)
       panel_width_ = std::max(panel_width_, text_width(panel.title, panel_title_size, true));
     double y = head;
@@ -107,13 +113,15 @@ class Drawing {
       y += panel_height_ + below[row];
       legend_left_ = x + 18;
     }
-    width_ = std::ceil(std::max({legend_left_ - 18 + legend + margin, 2 * margin + text_width(chart_.title, title_size, true),
+    width_ = std::ceil(std::max({legend_left_ - 18 + legend + margin,
+                                 2 * margin + text_width(chart_.title, title_size, true),
                                  2 * margin + text_width(chart_.subtitle, subtitle_size)}));
     height_ = std::ceil(y + margin / 2);
   }
 
   Ink ink_of(const std::string& label) const {
-    const auto at = std::find_if(entries_.begin(), entries_.end(), [&](const auto& entry) { return entry.label == label; });
+    const auto at = std::find_if(entries_.begin(), entries_.end(),
+                                 [&](const auto& entry) { return entry.label == label; });
     const auto k = static_cast<std::size_t>(at - entries_.begin());
     if (at == entries_.end()) return inks::text;
     return chart_.colours == Colours::steps ? step_ink(k, entries_.size()) : category_ink(k);
@@ -121,7 +129,8 @@ class Drawing {
 
   std::string dash(const std::string& label) const {
     if (chart_.colours == Colours::steps) return "";
-    const auto at = std::find_if(entries_.begin(), entries_.end(), [&](const auto& entry) { return entry.label == label; });
+    const auto at = std::find_if(entries_.begin(), entries_.end(),
+                                 [&](const auto& entry) { return entry.label == label; });
     return dash_of(static_cast<std::size_t>(at - entries_.begin()));
   }
 
@@ -149,7 +158,8 @@ class Drawing {
         const ChartPoint at = frame.place(point);
         d += fmt::format("{}{:.2f} {:.2f}", d.empty() ? "M" : "L", at.x, std::clamp(at.y, -2000.0, 4000.0));
       }
-      if (!d.empty()) svg.path(d, ink_of(series.label), series.size, dash(series.label), "stroke-linejoin=\"round\"");
+      if (!d.empty())
+        svg.path(d, ink_of(series.label), series.size, dash(series.label), "stroke-linejoin=\"round\"");
     }
     svg.end_group();
     for (const Rule& rule : panel.rules)
@@ -161,9 +171,11 @@ class Drawing {
     const Panel& panel = chart_.panels[k];
     const Box& box = boxes_[k];
     if (!panel.title.empty())
-      svg.text(box.left, box.top - 9, panel.title, {.anchor = "start", .size = panel_title_size, .bold = true});
+      svg.text(box.left, box.top - 9, panel.title,
+               {.anchor = "start", .size = panel_title_size, .bold = true});
     if (!panel.heading.empty())
-      svg.text(margin, box.top - 9 - panel_title_space, panel.heading, {.anchor = "start", .size = heading_size});
+      svg.text(margin, box.top - 9 - panel_title_space, panel.heading,
+               {.anchor = "start", .size = heading_size});
     const Shown shown{chart_.polar || shows_x(k), chart_.polar || shows_y(k)};
     if (chart_.polar)
       draw_in(svg, PolarFrame(box, panel.x, panel.y), panel, box, shown);
@@ -199,8 +211,9 @@ class Drawing {
   }
 
   static std::string axis_data(const ChartAxis& axis, double from, double to) {
-    return fmt::format(R"({{"label":{},"low":{:.9g},"high":{:.9g},"logarithmic":{},"from":{:.2f},"to":{:.2f}}})",
-                       json(axis.label), axis.low, axis.high, axis.logarithmic, from, to);
+    return fmt::format(
+        R"({{"label":{},"low":{:.9g},"high":{:.9g},"logarithmic":{},"from":{:.2f},"to":{:.2f}}})",
+        json(axis.label), axis.low, axis.high, axis.logarithmic, from, to);
   }
 
   std::string data() const {
@@ -217,8 +230,8 @@ class Drawing {
           x += fmt::format("{}{:.9g}", x.empty() ? "" : ",", point.x);
           y += fmt::format("{}{:.9g}", y.empty() ? "" : ",", point.y);
         }
-        text += fmt::format(R"({}{{"label":{},"marks":"{}","x":[{}],"y":[{}]}})", j ? "," : "", json(series.label),
-                            series.dots ? "dots" : "line", x, y);
+        text += fmt::format(R"({}{{"label":{},"marks":"{}","x":[{}],"y":[{}]}})", j ? "," : "",
+                            json(series.label), series.dots ? "dots" : "line", x, y);
       }
       text += "]}";
     }

@@ -29,7 +29,9 @@ struct Panel {
   std::string note;     // in the middle of an empty panel
   std::string heading;  // above the row of panels that this one begins
 
-  void line(std::string label, std::vector<ChartPoint> points) { series.push_back({std::move(label), std::move(points)}); }
+  void line(std::string label, std::vector<ChartPoint> points) {
+    series.push_back({std::move(label), std::move(points)});
+  }
   void dots(std::string label, std::vector<ChartPoint> points, double radius = 2) {
     series.push_back({std::move(label), std::move(points), true, radius});
   }

@@ -28,7 +28,8 @@ std::vector<Tick> linear_ticks(const ChartAxis& axis) {
   const double mantissa = step / std::pow(10, std::floor(std::log10(step) + slack));
   const int parts = axis.step > 0 ? 3 : std::abs(mantissa - 2) < slack ? 4 : 5;
   std::vector<Tick> result;
-  for (double k = std::ceil(axis.low / step * parts - slack); k * step / parts <= axis.high + slack * step; ++k) {
+  for (double k = std::ceil(axis.low / step * parts - slack); k * step / parts <= axis.high + slack * step;
+       ++k) {
     const bool labelled = std::fmod(k, parts) == 0;
     result.push_back({k * step / parts, labelled ? number_label(k / parts * step) : ""});
   }
@@ -61,8 +62,11 @@ double round_end(double value, bool above) {
   const double power = std::pow(10, std::floor(std::log10(value) + slack));
   const double mantissa = value / power;
   const std::array<double, 4> ends{1, 2, 5, 10};
-  if (above) return power * *std::find_if(ends.begin(), ends.end(), [&](double end) { return end >= mantissa * (1 - slack); });
-  return power * *std::find_if(ends.rbegin(), ends.rend(), [&](double end) { return end <= mantissa * (1 + slack); });
+  if (above)
+    return power *
+           *std::find_if(ends.begin(), ends.end(), [&](double end) { return end >= mantissa * (1 - slack); });
+  return power *
+         *std::find_if(ends.rbegin(), ends.rend(), [&](double end) { return end <= mantissa * (1 + slack); });
 }
 
 }  // namespace
@@ -72,7 +76,9 @@ double ChartAxis::position(double value) const {
   return value > 0 ? std::log(value / low) / std::log(high / low) : -1;
 }
 
-std::vector<Tick> ticks(const ChartAxis& axis) { return axis.logarithmic ? logarithmic_ticks(axis) : linear_ticks(axis); }
+std::vector<Tick> ticks(const ChartAxis& axis) {
+  return axis.logarithmic ? logarithmic_ticks(axis) : linear_ticks(axis);
+}
 
 ChartAxis logarithmic_axis(std::string label, double smallest, double largest, double most_decades) {
   if (!(largest > 0) || !std::isfinite(largest)) return {std::move(label), 0.1, 1, true};
@@ -88,7 +94,8 @@ std::string number_label(double value) {
   } else {
     const double power = std::floor(std::log10(size) + slack);
     const std::string mantissa = fmt::format("{:.3g}", size / std::pow(10, power));
-    text = fmt::format("{}10^{{{}{}}}", mantissa == "1" ? "" : mantissa + "·", power < 0 ? "−" : "", std::abs(power));
+    text = fmt::format("{}10^{{{}{}}}", mantissa == "1" ? "" : mantissa + "·", power < 0 ? "−" : "",
+                       std::abs(power));
   }
   return value < 0 ? "−" + text : text;
 }

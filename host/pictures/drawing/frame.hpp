@@ -32,8 +32,8 @@ class RectangularFrame {
   ChartAxis x_, y_;
 };
 
-/// x is an angle from the normal in degrees, -90 (left) to 90; y is the radius from the middle of the lower side, which is
-/// 0 where y is at or below the low end of its axis.
+/// x is an angle from the normal in degrees, -90 (left) to 90; y is the radius from the middle of the lower
+/// side, which is 0 where y is at or below the low end of its axis.
 class PolarFrame {
  public:
   PolarFrame(const Box& box, const ChartAxis& x, const ChartAxis& y);

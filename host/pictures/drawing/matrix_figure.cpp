@@ -33,13 +33,15 @@ std::string matrix_figure(const std::string& title, const std::vector<std::strin
   for (std::size_t i = 0; i < names.size(); ++i) {
     const double at = cell * static_cast<double>(i);
     svg.text(left - 6, top + at + cell / 2 + 4, names[i], {.anchor = "end", .size = name_size});
-    svg.text(left + at + cell / 2 + 4, top - 6, names[i], {.anchor = "start", .size = name_size, .turned = -90});
+    svg.text(left + at + cell / 2 + 4, top - 6, names[i],
+             {.anchor = "start", .size = name_size, .turned = -90});
     for (std::size_t j = 0; j < names.size(); ++j) {
       const double value = std::clamp(values[i][j], -1.0, 1.0);
       const Rgb colour = blue_to_orange.at(0.5 + 0.5 * value);
       const double x = left + cell * static_cast<double>(j);
       svg.fill_box({x, top + at, x + cell, top + at + cell}, {colour, colour});
-      svg.text(x + cell / 2, top + at + cell / 2 + 4, fmt::format("{}{:.2f}", value < 0 ? "−" : "", std::abs(value)),
+      svg.text(x + cell / 2, top + at + cell / 2 + 4,
+               fmt::format("{}{:.2f}", value < 0 ? "−" : "", std::abs(value)),
                {.size = 11, .ink = std::abs(value) > strong ? on_dark : on_light});
     }
   }

@@ -30,14 +30,15 @@ inline constexpr Ink frame{{70, 70, 70}, {165, 168, 172}};
 inline constexpr Ink grid{{224, 224, 224}, {52, 57, 64}};
 }  // namespace inks
 
-/// Kinds of thing, such as lobes: the colours of Okabe and Ito. From the ninth on they repeat, and `dash_of` tells them apart.
+/// Kinds of thing, such as lobes: the colours of Okabe and Ito. From the ninth on they repeat, and `dash_of`
+/// tells them apart.
 Ink category_ink(std::size_t k);
 
 /// A dash array for SVG, empty for a whole line.
 std::string dash_of(std::size_t k);
 
-/// Steps of one quantity, such as theta_i: the k-th of `count`, along matplotlib's plasma (CC0), without the end that is
-/// too close to the page.
+/// Steps of one quantity, such as theta_i: the k-th of `count`, along matplotlib's plasma (CC0), without the
+/// end that is too close to the page.
 Ink step_ink(std::size_t k, std::size_t count);
 
 /// A scale of colours over [0, 1]; values beyond take the colour of the end, nan that of 0.

@@ -35,7 +35,8 @@ void write_whole_file(PartialFile& file, const std::filesystem::path& target, st
   std::ofstream out(file.path(), std::ios::binary);
   out.write(content.data(), static_cast<std::streamsize>(content.size()));
   out.close();
-  if (!out) throw FileError("{}: cannot be written: {}", target.string(), std::generic_category().message(errno));
+  if (!out)
+    throw FileError("{}: cannot be written: {}", target.string(), std::generic_category().message(errno));
   file.commit();
 }
 

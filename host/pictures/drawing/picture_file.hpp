@@ -10,7 +10,8 @@ namespace brdftab {
 
 class PictureFile {
  public:
-  /// `png_width` in pixels; 0: 2.5 for each unit of the SVG. Throws BadInput for other extensions, FileError as PartialFile.
+  /// `png_width` in pixels; 0: 2.5 for each unit of the SVG. Throws BadInput for other extensions, FileError
+  /// as PartialFile.
   PictureFile(const std::filesystem::path& target, int png_width, bool force);
 
   /// Writes an SVG file's text, or draws it; the file then has its name. Throws FileError.

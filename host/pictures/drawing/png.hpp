@@ -18,7 +18,8 @@ struct Raster {
 
 std::vector<std::byte> png(const Raster& raster);
 
-/// Draws an SVG file's text by librsvg and cairo, so many pixels wide, or 2.5 for each unit if 0. Throws Error where it cannot.
+/// Draws an SVG file's text by librsvg and cairo, so many pixels wide, or 2.5 for each unit if 0. Throws
+/// Error where it cannot.
 std::vector<std::byte> png_of_svg(std::string_view svg, int width);
 
 }  // namespace brdftab

@@ -37,8 +37,9 @@ std::vector<double> curve_starts(double first, double last, double step, std::sp
   return places;
 }
 
-std::vector<std::vector<ChartPoint>> smooth_curves(const std::vector<std::vector<double>>& starts, const CurveValues& values,
-                                                   bool logarithmic, double most_decades) {
+std::vector<std::vector<ChartPoint>> smooth_curves(const std::vector<std::vector<double>>& starts,
+                                                   const CurveValues& values, bool logarithmic,
+                                                   double most_decades) {
   std::vector<CurvePlace> places;
   for (std::size_t curve = 0; curve < starts.size(); ++curve)
     for (const double x : starts[curve]) places.push_back({curve, x});
@@ -55,18 +56,23 @@ std::vector<std::vector<ChartPoint>> smooth_curves(const std::vector<std::vector
   const double x_scale = page_width / (last - first);
   const double range = height(largest) - height(lowest);
   const double y_scale = range > 0 ? page_height / range : 1;
-  const auto on_page = [&](const ChartPoint& point) { return ChartPoint{point.x * x_scale, height(point.y) * y_scale}; };
+  const auto on_page = [&](const ChartPoint& point) {
+    return ChartPoint{point.x * x_scale, height(point.y) * y_scale};
+  };
 
   std::vector<std::vector<ChartPoint>> curves(starts.size());
   for (std::size_t k = 0; k < places.size(); ++k) curves[places[k].curve].push_back({places[k].x, y[k]});
   if (largest <= 0 && logarithmic) return curves;
   std::vector<Interval> open;
   for (std::size_t curve = 0; curve < curves.size(); ++curve)
-    for (std::size_t k = 1; k < curves[curve].size(); ++k) open.push_back({curve, curves[curve][k - 1], curves[curve][k]});
+    for (std::size_t k = 1; k < curves[curve].size(); ++k)
+      open.push_back({curve, curves[curve][k - 1], curves[curve][k]});
   while (!open.empty()) {
     places.clear();
-    std::erase_if(open, [](const Interval& interval) { return interval.end.x - interval.begin.x < 4 * x_grain; });
-    for (const auto& interval : open) places.push_back({interval.curve, rounded(0.5 * (interval.begin.x + interval.end.x))});
+    std::erase_if(open,
+                  [](const Interval& interval) { return interval.end.x - interval.begin.x < 4 * x_grain; });
+    for (const auto& interval : open)
+      places.push_back({interval.curve, rounded(0.5 * (interval.begin.x + interval.end.x))});
     if (places.empty()) break;
     y = values(places);
     std::vector<Interval> next;

@@ -91,8 +91,10 @@ std::string base64(std::span<const std::byte> bytes) {
   text.reserve((bytes.size() + 2) / 3 * 4);
   for (std::size_t k = 0; k < bytes.size(); k += 3) {
     unsigned group = 0;
-    for (std::size_t j = 0; j < 3; ++j) group = group << 8 | (k + j < bytes.size() ? std::to_integer<unsigned>(bytes[k + j]) : 0);
-    for (std::size_t j = 0; j < 4; ++j) text += k + j <= bytes.size() ? digits[group >> (18 - 6 * j) & 63] : '=';
+    for (std::size_t j = 0; j < 3; ++j)
+      group = group << 8 | (k + j < bytes.size() ? std::to_integer<unsigned>(bytes[k + j]) : 0);
+    for (std::size_t j = 0; j < 4; ++j)
+      text += k + j <= bytes.size() ? digits[group >> (18 - 6 * j) & 63] : '=';
   }
   return text;
 }
@@ -104,14 +106,16 @@ std::string Svg::coloured(const char* property, const Ink& ink) {
   return fmt::format("{}=\"{}\" class=\"{}\"", property, ink.light.hex(), name);
 }
 
-void Svg::line(double x1, double y1, double x2, double y2, const Ink& ink, double width, std::string_view dash) {
+void Svg::line(double x1, double y1, double x2, double y2, const Ink& ink, double width,
+               std::string_view dash) {
   path(fmt::format("M{:.2f} {:.2f}L{:.2f} {:.2f}", x1, y1, x2, y2), ink, width, dash);
 }
 
-void Svg::path(std::string_view d, const Ink& ink, double width, std::string_view dash, std::string_view attributes) {
-  body_ +=
-      fmt::format("<path d=\"{}\" fill=\"none\" {} stroke-width=\"{}\"{}{}{}/>\n", d, stroke(ink), width,
-                  dash.empty() ? "" : fmt::format(" stroke-dasharray=\"{}\"", dash), attributes.empty() ? "" : " ", attributes);
+void Svg::path(std::string_view d, const Ink& ink, double width, std::string_view dash,
+               std::string_view attributes) {
+  body_ += fmt::format("<path d=\"{}\" fill=\"none\" {} stroke-width=\"{}\"{}{}{}/>\n", d, stroke(ink), width,
+                       dash.empty() ? "" : fmt::format(" stroke-dasharray=\"{}\"", dash),
+                       attributes.empty() ? "" : " ", attributes);
 }
 
 void Svg::disc(double x, double y, double radius, const Ink& ink) {
@@ -123,26 +127,30 @@ void Svg::dot(double x, double y, double radius) {
 }
 
 void Svg::ring(double x, double y, double radius, const Ink& ink, double width) {
-  body_ += fmt::format("<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{}\" fill=\"none\" {} stroke-width=\"{}\"/>\n", x, y, radius,
-                       stroke(ink), width);
+  body_ +=
+      fmt::format("<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{}\" fill=\"none\" {} stroke-width=\"{}\"/>\n", x,
+                  y, radius, stroke(ink), width);
 }
 
 void Svg::rectangle(const Box& box, const Ink& ink, double width) {
-  body_ +=
-      fmt::format("<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" fill=\"none\" {} stroke-width=\"{}\"/>\n",
-                  box.left, box.top, box.width(), box.height(), stroke(ink), width);
+  body_ += fmt::format(
+      "<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" fill=\"none\" {} "
+      "stroke-width=\"{}\"/>\n",
+      box.left, box.top, box.width(), box.height(), stroke(ink), width);
 }
 
 void Svg::fill_box(const Box& box, const Ink& ink) {
-  body_ += fmt::format("<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" {}/>\n", box.left, box.top,
-                       box.width(), box.height(), fill(ink));
+  body_ += fmt::format("<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" {}/>\n", box.left,
+                       box.top, box.width(), box.height(), fill(ink));
 }
 
 void Svg::text(double x, double y, std::string_view text, const TextStyle& style) {
-  if (style.halo) begin_group(stroke(inks::page) + " stroke-width=\"4\" stroke-linejoin=\"round\" paint-order=\"stroke\"");
+  if (style.halo)
+    begin_group(stroke(inks::page) + " stroke-width=\"4\" stroke-linejoin=\"round\" paint-order=\"stroke\"");
   body_ += fmt::format("<text {} text-anchor=\"{}\" font-size=\"{}\" {}{}>",
                        style.turned == 0 ? fmt::format("x=\"{:.2f}\" y=\"{:.2f}\"", x, y)
-                                         : fmt::format("transform=\"translate({:.2f} {:.2f}) rotate({})\"", x, y, style.turned),
+                                         : fmt::format("transform=\"translate({:.2f} {:.2f}) rotate({})\"", x,
+                                                       y, style.turned),
                        style.anchor, style.size, fill(style.ink), style.bold ? " font-weight=\"bold\"" : "");
   double shift = 0;
   for (const Piece& piece : pieces_of(text)) {
@@ -151,10 +159,11 @@ void Svg::text(double x, double y, std::string_view text, const TextStyle& style
     if (piece.shift == shift && shift == 0)
       body_ += xml_escaped(piece.text);
     else
-      body_ += fmt::format("<tspan dy=\"{:.2f}\"{}{}>{}</tspan>", (piece.shift - shift) * style.size,
-                           spaced ? fmt::format(" dx=\"{:.2f}\"", 0.3 * style.size) : "",
-                           piece.shift == 0 ? "" : fmt::format(" font-size=\"{:.2f}\"", script_size * style.size),
-                           xml_escaped(piece.text.substr(spaced ? 1 : 0)));
+      body_ +=
+          fmt::format("<tspan dy=\"{:.2f}\"{}{}>{}</tspan>", (piece.shift - shift) * style.size,
+                      spaced ? fmt::format(" dx=\"{:.2f}\"", 0.3 * style.size) : "",
+                      piece.shift == 0 ? "" : fmt::format(" font-size=\"{:.2f}\"", script_size * style.size),
+                      xml_escaped(piece.text.substr(spaced ? 1 : 0)));
     shift = piece.shift;
   }
   body_ += "</text>\n";
@@ -186,11 +195,15 @@ std::string Svg::document(std::string_view title, std::string_view data) const {
   std::string style;
   for (const auto& rule : rules) style += rule;
   return fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:g}\" height=\"{1:g}\" viewBox=\"0 0 {0:g} {1:g}\" role=\"img\" "
-      "font-family=\"Helvetica, Arial, 'Liberation Sans', 'DejaVu Sans', sans-serif\">\n<title>{2}</title>\n{3}"
-      "<style>@media (prefers-color-scheme:dark){{{4}}}</style>\n<rect width=\"100%\" height=\"100%\" {5}/>\n{6}</svg>\n",
-      width_, height_, xml_escaped(title), data.empty() ? "" : fmt::format("<metadata>{}</metadata>\n", xml_escaped(data)), style,
-      background, body_);
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:g}\" height=\"{1:g}\" viewBox=\"0 0 {0:g} "
+      "{1:g}\" role=\"img\" "
+      "font-family=\"Helvetica, Arial, 'Liberation Sans', 'DejaVu Sans', "
+      "sans-serif\">\n<title>{2}</title>\n{3}"
+      "<style>@media (prefers-color-scheme:dark){{{4}}}</style>\n<rect width=\"100%\" height=\"100%\" "
+      "{5}/>\n{6}</svg>\n",
+      width_, height_, xml_escaped(title),
+      data.empty() ? "" : fmt::format("<metadata>{}</metadata>\n", xml_escaped(data)), style, background,
+      body_);
 }
 
 }  // namespace brdftab

@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include "host/pictures/drawing/palette.hpp"
 #include "host/base/xml_text.hpp"
+#include "host/pictures/drawing/palette.hpp"
 
 namespace brdftab {
 
@@ -38,9 +38,11 @@ class Svg {
   std::string stroke(const Ink& ink) { return coloured("stroke", ink); }
   std::string fill(const Ink& ink) { return coloured("fill", ink); }
 
-  void line(double x1, double y1, double x2, double y2, const Ink& ink, double width = 1, std::string_view dash = "");
+  void line(double x1, double y1, double x2, double y2, const Ink& ink, double width = 1,
+            std::string_view dash = "");
   /// `attributes`: more of them, as SVG spells them.
-  void path(std::string_view d, const Ink& ink, double width, std::string_view dash = "", std::string_view attributes = "");
+  void path(std::string_view d, const Ink& ink, double width, std::string_view dash = "",
+            std::string_view attributes = "");
   void disc(double x, double y, double radius, const Ink& ink);
   /// In the colour of the group around it.
   void dot(double x, double y, double radius);
@@ -53,11 +55,14 @@ class Svg {
   void image(const Box& box, std::span<const std::byte> png, std::string_view attributes = "");
   /// What follows, until `end_group`, is cut off at the shape.
   void clip_to(const Box& box) { clip(box, 0); }
-  void clip_to_disc(double x, double y, double radius) { clip({x - radius, y - radius, x + radius, y + radius}, radius); }
+  void clip_to_disc(double x, double y, double radius) {
+    clip({x - radius, y - radius, x + radius, y + radius}, radius);
+  }
   void begin_group(std::string_view attributes);
   void end_group() { body_ += "</g>\n"; }
 
-  /// The whole file. `title` is plain text for readers who hear pictures; `data` is JSON, kept in the file's metadata.
+  /// The whole file. `title` is plain text for readers who hear pictures; `data` is JSON, kept in the file's
+  /// metadata.
   std::string document(std::string_view title, std::string_view data = "") const;
 
  private:

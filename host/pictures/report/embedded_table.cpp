@@ -1,16 +1,15 @@
 #include "host/pictures/report/embedded_table.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <bit>
-#include <nlohmann/json.hpp>
 
-#include "host/base/interrupt.hpp"
 #include "host/base/numbers.hpp"
-#include "host/pictures/hemisphere_figure.hpp"
-#include "host/pictures/drawing/svg.hpp"
 #include "host/compute/slab.hpp"
+#include "host/pictures/drawing/svg.hpp"
+#include "host/pictures/hemisphere_figure.hpp"
 
 namespace brdftab {
 namespace {
@@ -35,7 +34,8 @@ void read_hemisphere(const Subject& table, std::size_t theta_i, std::size_t band
     rows.resize(box.nodes());
     table.reader().read(polarization, band, box, rows);
     for (std::size_t row = 0; row < end - k; ++row)
-      for (const std::size_t column : nodes.phi_s) samples.push_back(static_cast<float>(rows[row * columns + column]));
+      for (const std::size_t column : nodes.phi_s)
+        samples.push_back(static_cast<float>(rows[row * columns + column]));
     k = end;
   }
 }
@@ -44,7 +44,8 @@ std::string set_name(const Subject& table, std::size_t band, Polarization polari
   std::string name = polarization == Polarization::unpolarized ? "unpolarised"
                      : polarization == Polarization::s         ? "s-polarised"
                                                                : "p-polarised";
-  if (table.material().has_wavelengths()) name += fmt::format(", {} nm", shortest(*table.material().bands()[band].wavelength_nm));
+  if (table.material().has_wavelengths())
+    name += fmt::format(", {} nm", shortest(*table.material().bands()[band].wavelength_nm));
   return name;
 }
 
@@ -56,7 +57,9 @@ NodeSubset spread_nodes(const Grid& grid, std::size_t most) {
   while (counts[0] * counts[1] * counts[2] > most) {
     std::size_t longest = 0;
     for (std::size_t k = 1; k < 3; ++k)
-      if (weights[k] * static_cast<double>(counts[k]) > weights[longest] * static_cast<double>(counts[longest])) longest = k;
+      if (weights[k] * static_cast<double>(counts[k]) >
+          weights[longest] * static_cast<double>(counts[longest]))
+        longest = k;
     if (counts[longest] <= 2) break;
     counts[longest] = std::max<std::size_t>(counts[longest] * 15 / 16, 2);
   }
@@ -65,19 +68,22 @@ NodeSubset spread_nodes(const Grid& grid, std::size_t most) {
 }
 
 Grid subset_grid(const Grid& grid, const NodeSubset& nodes) {
-  return {Axis(AxisKind::theta_i, chosen(grid.theta_i, nodes.theta_i)), Axis(AxisKind::phi_i, {grid.phi_i[0]}),
-          Axis(AxisKind::theta_s, chosen(grid.theta_s, nodes.theta_s)), Axis(AxisKind::phi_s, chosen(grid.phi_s, nodes.phi_s))};
+  return {Axis(AxisKind::theta_i, chosen(grid.theta_i, nodes.theta_i)),
+          Axis(AxisKind::phi_i, {grid.phi_i[0]}),
+          Axis(AxisKind::theta_s, chosen(grid.theta_s, nodes.theta_s)),
+          Axis(AxisKind::phi_s, chosen(grid.phi_s, nodes.phi_s))};
 }
 
-EmbeddedTable embed(const Subject& table, std::size_t most) {
+EmbeddedTable embed(const Subject& table, std::size_t most, const Watch& watch) {
   const Grid& grid = table.table().grid;
   const auto& polarizations = table.table().polarizations;
   const std::size_t bands = table.material().bands().size();
-  EmbeddedTable result{.nodes = spread_nodes(grid, std::max<std::size_t>(most / (bands * polarizations.size()), 8)),
-                       .whole = false,
-                       .scale = {},
-                       .json = {},
-                       .float32 = {}};
+  EmbeddedTable result{
+      .nodes = spread_nodes(grid, std::max<std::size_t>(most / (bands * polarizations.size()), 8)),
+      .whole = false,
+      .scale = {},
+      .json = {},
+      .float32 = {}};
   const NodeSubset& nodes = result.nodes;
   result.whole = nodes.size() == grid.theta_i.size() * grid.theta_s.size() * grid.phi_s.size();
   std::vector<float> samples;
@@ -86,7 +92,7 @@ EmbeddedTable embed(const Subject& table, std::size_t most) {
     for (const Polarization polarization : polarizations) {
       names.push_back(set_name(table, band, polarization));
       for (const std::size_t theta_i : nodes.theta_i) {
-        stop_if_interrupted();
+        watch.stop_if_asked();
         read_hemisphere(table, theta_i, band, polarization, nodes, samples);
       }
     }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "host/base/watch.hpp"
 #include "host/pictures/drawing/chart_axis.hpp"
 #include "host/pictures/subject.hpp"
 
@@ -16,8 +17,8 @@ struct NodeSubset {
   std::size_t size() const { return theta_i.size() * theta_s.size() * phi_s.size(); }
 };
 
-/// At most `most` nodes at the first phi_i, spread evenly over each axis, both ends of each included: the longest axis is
-/// thinned first, phi_s counting half.
+/// At most `most` nodes at the first phi_i, spread evenly over each axis, both ends of each included: the
+/// longest axis is thinned first, phi_s counting half.
 NodeSubset spread_nodes(const Grid& grid, std::size_t most);
 
 /// The grid of those nodes.
@@ -32,6 +33,6 @@ struct EmbeddedTable {
 };
 
 /// All bands and polarisations, in at most `most` samples together.
-EmbeddedTable embed(const Subject& table, std::size_t most);
+EmbeddedTable embed(const Subject& table, std::size_t most, const Watch& watch);
 
 }  // namespace brdftab

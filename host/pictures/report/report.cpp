@@ -1,18 +1,18 @@
 #include "host/pictures/report/report.hpp"
 
 #include <fmt/format.h>
-
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+
 #include "host/base/numbers.hpp"
-#include "host/pictures/angles_sketch.hpp"
-#include "host/pictures/report/embedded_table.hpp"
-#include "host/pictures/in_plane.hpp"
-#include "host/pictures/report/report_style.hpp"
-#include "host/pictures/drawing/svg.hpp"
-#include "host/pictures/table_slice.hpp"
 #include "host/model/variant.hpp"
+#include "host/pictures/angles_sketch.hpp"
+#include "host/pictures/drawing/svg.hpp"
+#include "host/pictures/in_plane.hpp"
+#include "host/pictures/report/embedded_table.hpp"
+#include "host/pictures/report/report_style.hpp"
+#include "host/pictures/table_slice.hpp"
 #include "host/table/table_content.hpp"
 
 namespace brdftab {
@@ -24,23 +24,25 @@ constexpr std::size_t colour_steps = 256;
 std::string symbol_html(std::string_view symbol) {
   const std::size_t line = symbol.find('_');
   if (line == symbol.npos) return fmt::format("<i>{}</i>", xml_escaped(symbol));
-  return fmt::format("<i>{}</i><sub>{}</sub>", xml_escaped(symbol.substr(0, line)), xml_escaped(symbol.substr(line + 1)));
+  return fmt::format("<i>{}</i><sub>{}</sub>", xml_escaped(symbol.substr(0, line)),
+                     xml_escaped(symbol.substr(line + 1)));
 }
 
 // A number of the table, shown with a few digits; `path` is its place in what `info --json` prints.
 std::string number_html(const std::string& path, double value) {
-  return fmt::format("<data data-path=\"{}\" value=\"{}\">{:.4g}</data>", xml_escaped(path), shortest(value), value);
+  return fmt::format("<data data-path=\"{}\" value=\"{}\">{:.4g}</data>", xml_escaped(path), shortest(value),
+                     value);
 }
 
 std::string image_html(const std::string& svg, std::string_view alt, std::string_view caption) {
-  return fmt::format("<figure><img alt=\"{}\" src=\"data:image/svg+xml;base64,{}\">{}</figure>\n", xml_escaped(alt),
-                     base64(std::as_bytes(std::span<const char>(svg))),
+  return fmt::format("<figure><img alt=\"{}\" src=\"data:image/svg+xml;base64,{}\">{}</figure>\n",
+                     xml_escaped(alt), base64(std::as_bytes(std::span<const char>(svg))),
                      caption.empty() ? "" : fmt::format("<figcaption>{}</figcaption>", caption));
 }
 
 class Page {
  public:
-  Page(const Subject& table, const EngineSource& engine, const std::string& origin)
+  Page(const Subject& table, const LazyEngine& engine, const std::string& origin)
       : table_(table), info_(table.reader().info()), engine_(engine), origin_(origin) {}
 
   std::string html() {
@@ -56,7 +58,8 @@ class Page {
     command();
     return fmt::format(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
-        "content=\"width=device-width, initial-scale=1\">\n<link rel=\"icon\" href=\"data:,\">\n<title>BRDF of {}</title>\n"
+        "content=\"width=device-width, initial-scale=1\">\n<link rel=\"icon\" href=\"data:,\">\n<title>BRDF "
+        "of {}</title>\n"
         "<style>{}</style>\n</head>\n<body>\n{}</body>\n</html>\n",
         name, report_style, body_);
   }
@@ -82,38 +85,45 @@ class Page {
     std::string cells;
     if (const auto* numbers = std::get_if<std::vector<double>>(value))
       for (std::size_t k = 0; k < numbers->size(); ++k)
-        cells +=
-            fmt::format("<td class=\"number\">{}</td>", number_html(fmt::format("attributes/{}/{}", name, k), (*numbers)[k]));
+        cells += fmt::format("<td class=\"number\">{}</td>",
+                             number_html(fmt::format("attributes/{}/{}", name, k), (*numbers)[k]));
     return cells;
   }
 
   std::string band_heads(std::string_view first) const {
     std::string cells = fmt::format("<tr><th>{}</th>", first);
     for (const Band& band : table_.material().bands())
-      cells += fmt::format("<th class=\"number\">{}</th>", band.wavelength_nm ? shortest(*band.wavelength_nm) + " nm" : "value");
+      cells += fmt::format("<th class=\"number\">{}</th>",
+                           band.wavelength_nm ? shortest(*band.wavelength_nm) + " nm" : "value");
     return cells;
   }
 
   void introduce() {
     const Material& material = table_.material();
     if (!material.description().empty()) add("<p>{}</p>\n", xml_escaped(material.description()));
-    if (!material.source().empty()) add("<p class=\"faint\">Source: {}</p>\n", xml_escaped(material.source()));
-    if (!material.license().empty()) add("<p class=\"faint\">Licence: {}</p>\n", xml_escaped(material.license()));
-    add("<p>A table of the bidirectional reflectance distribution function <i>f</i><sub>r</sub>, in sr<sup>−1</sup>, by the "
+    if (!material.source().empty())
+      add("<p class=\"faint\">Source: {}</p>\n", xml_escaped(material.source()));
+    if (!material.license().empty())
+      add("<p class=\"faint\">Licence: {}</p>\n", xml_escaped(material.license()));
+    add("<p>A table of the bidirectional reflectance distribution function <i>f</i><sub>r</sub>, in "
+        "sr<sup>−1</sup>, by the "
         "model of {}. {}</p>\n",
         xml_escaped(paper_reference), xml_escaped(origin_));
     for (const auto& fault : table_.table().faults) add("<p class=\"warning\">{}</p>\n", xml_escaped(fault));
-    add("<div class=\"scroll\"><table>\n<tr><th>axis</th><th class=\"number\">nodes</th><th class=\"number\">from</th>"
+    add("<div class=\"scroll\"><table>\n<tr><th>axis</th><th class=\"number\">nodes</th><th "
+        "class=\"number\">from</th>"
         "<th class=\"number\">to</th><th>meaning</th></tr>\n");
     for (const auto& row : axis_table) {
       Grid grid = table_.table().grid;
       const Axis& axis = grid[row.kind];
       const std::string path = fmt::format("variables/{}/values/", row.name);
-      const std::string symbol = fmt::format("{}_{}", row.name.starts_with("theta") ? "θ" : "φ", row.name.back());
+      const std::string symbol =
+          fmt::format("{}_{}", row.name.starts_with("theta") ? "θ" : "φ", row.name.back());
       add("<tr><td>{}</td><td class=\"number\">{}</td><td class=\"number\">{}°</td><td "
           "class=\"number\">{}°</td><td>{}</td></tr>\n",
           symbol_html(symbol), axis.size(), number_html(path + "0", axis[0]),
-          number_html(fmt::format("{}{}", path, axis.size() - 1), axis[axis.size() - 1]), xml_escaped(row.long_name));
+          number_html(fmt::format("{}{}", path, axis.size() - 1), axis[axis.size() - 1]),
+          xml_escaped(row.long_name));
     }
     add("</table></div>\n");
     std::vector<std::string> light;
@@ -122,7 +132,9 @@ class Page {
                          : polarization == Polarization::s         ? "s-polarised"
                                                                    : "p-polarised");
     add("<p>{} directions{} in {} light, stored as {}. {}</p>\n", table_.table().grid.directions(),
-        table_.material().has_wavelengths() ? fmt::format(" at each of {} wavelengths", table_.material().bands().size()) : "",
+        table_.material().has_wavelengths()
+            ? fmt::format(" at each of {} wavelengths", table_.material().bands().size())
+            : "",
         fmt::join(light, ", "), name_of(table_.table().precision),
         text("device").empty() ? "" : fmt::format("Computed on {}.", text("device")));
   }
@@ -133,37 +145,47 @@ class Page {
       return;
     }
     round_ = true;
-    const EmbeddedTable embedded = embed(table_, most_embedded);
+    const EmbeddedTable embedded = embed(table_, most_embedded, engine_().watch());
     const ChartAxis& axis = embedded.scale;
     nlohmann::json scale{{"low", axis.low}, {"high", axis.high}, {"ticks", nlohmann::json::array()}};
-    for (const Tick& tick : ticks(axis)) scale["ticks"].push_back({{"value", tick.value}, {"label", tick.label}});
+    for (const Tick& tick : ticks(axis))
+      scale["ticks"].push_back({{"value", tick.value}, {"label", tick.label}});
     for (std::size_t k = 0; k < colour_steps; ++k)
-      scale["colours"].push_back(viridis.at(static_cast<double>(k) / static_cast<double>(colour_steps - 1)).hex());
-    add("<h2>The hemisphere at each angle of incidence</h2>\n<div class=\"explorer\">\n<div class=\"controls\"><label "
-        "for=\"slider\">incidence <i>θ</i><sub>i</sub></label><input id=\"slider\" type=\"range\" min=\"0\" step=\"1\"><output "
+      scale["colours"].push_back(
+          viridis.at(static_cast<double>(k) / static_cast<double>(colour_steps - 1)).hex());
+    add("<h2>The hemisphere at each angle of incidence</h2>\n<div class=\"explorer\">\n<div "
+        "class=\"controls\"><label "
+        "for=\"slider\">incidence <i>θ</i><sub>i</sub></label><input id=\"slider\" type=\"range\" min=\"0\" "
+        "step=\"1\"><output "
         "id=\"theta_i\" for=\"slider\"></output><label>light <select id=\"sets\"></select></label></div>\n"
         "<div><canvas id=\"map\" role=\"img\" aria-label=\"Map of the BRDF over the hemisphere\"></canvas>\n"
         "<p id=\"reading\"></p></div>\n"
         "<div><canvas id=\"cut\" role=\"img\" aria-label=\"The BRDF in the plane of incidence\"></canvas>\n"
         "<p class=\"faint\">Point at the map to read <i>f</i><sub>r</sub>. Forward is to the right; the "
-        "cross is the mirror direction, the ring retro-reflection; circles are at <i>θ</i><sub>s</sub> = 30° and 60°. Drawn from "
+        "cross is the mirror direction, the ring retro-reflection; circles are at <i>θ</i><sub>s</sub> = 30° "
+        "and 60°. Drawn from "
         "the table's own samples, linear in ln <i>f</i> between its nodes, which are the dots of the "
         "curve.{}</p></div>\n</div>\n",
         embedded.whole
             ? ""
-            : fmt::format(" <b>The table is too large for a page: these are {} of its {} θ<sub>i</sub>, {} of {} "
-                          "θ<sub>s</sub> and {} of {} φ<sub>s</sub>, spread evenly; narrow peaks between them are not seen "
-                          "here.</b>",
-                          embedded.nodes.theta_i.size(), table_.table().grid.theta_i.size(), embedded.nodes.theta_s.size(),
-                          table_.table().grid.theta_s.size(), embedded.nodes.phi_s.size(), table_.table().grid.phi_s.size()));
+            : fmt::format(
+                  " <b>The table is too large for a page: these are {} of its {} θ<sub>i</sub>, {} of {} "
+                  "θ<sub>s</sub> and {} of {} φ<sub>s</sub>, spread evenly; narrow peaks between them are "
+                  "not seen "
+                  "here.</b>",
+                  embedded.nodes.theta_i.size(), table_.table().grid.theta_i.size(),
+                  embedded.nodes.theta_s.size(), table_.table().grid.theta_s.size(),
+                  embedded.nodes.phi_s.size(), table_.table().grid.phi_s.size()));
     scripts_ = fmt::format(
-        "<script type=\"application/json\" id=\"axes\">{}</script>\n<script type=\"application/json\" id=\"scale\">{}</script>\n"
+        "<script type=\"application/json\" id=\"axes\">{}</script>\n<script type=\"application/json\" "
+        "id=\"scale\">{}</script>\n"
         "<script type=\"text/plain\" id=\"samples\">{}</script>\n<script>{}</script>\n",
         embedded.json, scale.dump(), embedded.float32, report_script);
   }
 
   void parameters() {
-    add("<h2>Parameters</h2>\n<div class=\"scroll\"><table>\n{}<th class=\"number\">range</th><th>meaning</th></tr>\n",
+    add("<h2>Parameters</h2>\n<div class=\"scroll\"><table>\n{}<th "
+        "class=\"number\">range</th><th>meaning</th></tr>\n",
         band_heads("parameter"));
     for (const auto& row : parameter_table) {
       add("<tr><td>{} <code>{}</code></td>", symbol_html(row.symbol), row.name);
@@ -174,19 +196,20 @@ class Page {
                                                 ? fmt::format("{:.4g}", value)
                                                 : number_html(fmt::format("attributes/{}", row.name), value));
       }
-      add("<td class=\"number\">{} … {}</td><td>{}{}</td></tr>\n", row.minimum, row.maximum, xml_escaped(row.meaning),
-          row.unit == "1" ? "" : fmt::format(" ({})", row.unit));
+      add("<td class=\"number\">{} … {}</td><td>{}{}</td></tr>\n", row.minimum, row.maximum,
+          xml_escaped(row.meaning), row.unit == "1" ? "" : fmt::format(" ({})", row.unit));
     }
     add("</table></div>\n<p class=\"faint\">Variant of the model: ");
-    for (const auto& row : switch_table())
-      add("{}<code>{} = {}</code>", &row == &switch_table().front() ? "" : ", ", row.name,
-          choice_name(row, table_.material().switches()));
+    for (const auto& row : variant_table())
+      add("{}<code>{} = {}</code>", &row == &variant_table().front() ? "" : ", ", row.name,
+          choice_name(row, table_.material().variant()));
     add(".</p>\n");
   }
 
   void conventions() {
-    add("<h2>Angles</h2>\n{}", image_html(angles_sketch(), "The angles of incidence and scatter",
-                                          "Polar angles are counted from the normal, in degrees. " + text("azimuth_convention")));
+    add("<h2>Angles</h2>\n{}",
+        image_html(angles_sketch(), "The angles of incidence and scatter",
+                   "Polar angles are counted from the normal, in degrees. " + text("azimuth_convention")));
   }
 
   void pictures() {
@@ -200,10 +223,12 @@ class Page {
       body_ += image_html(plot(subjects, options, engine_), alt, caption + bands);
     };
     add("<h2>In the plane of incidence</h2>\n");
-    picture(in_plane_plot, "BRDF against scatter angle, a curve for each angle of incidence",
-            "Curves are the model, dots the nodes of the table. θ<sub>s</sub> is negative on the backward side.");
+    picture(
+        in_plane_plot, "BRDF against scatter angle, a curve for each angle of incidence",
+        "Curves are the model, dots the nodes of the table. θ<sub>s</sub> is negative on the backward side.");
     picture(polar_plot, "The same in polar form", "The same, with log <i>f</i><sub>r</sub> as the radius.");
-    picture(lobes_plot, "BRDF by lobe", "The surface, bulk and retro lobes of the model, which add up to all lobes.");
+    picture(lobes_plot, "BRDF by lobe",
+            "The surface, bulk and retro lobes of the model, which add up to all lobes.");
     if (round_) {
       add("<h2>Over the hemisphere</h2>\n");
       picture(hemisphere_plot, "Maps of the BRDF in direction cosines",
@@ -213,13 +238,15 @@ class Page {
     picture(shadowing_plot, "V_m against scatter angle and V against the direction cosine",
             "V<sub>m</sub> multiplies the reflectance, V narrows the lobes towards grazing directions.");
     add("<h2>Reflectance</h2>\n");
-    picture(dhr_plot, "Directional-hemispherical reflectance against the angle of incidence",
-            "Dots are the values that the table stores. Nothing in the model bounds the sum of the lobes to 1.");
+    picture(
+        dhr_plot, "Directional-hemispherical reflectance against the angle of incidence",
+        "Dots are the values that the table stores. Nothing in the model bounds the sum of the lobes to 1.");
   }
 
   void figures() {
     add("<h2>Accuracy, energy and reciprocity</h2>\n");
-    add("<p{}>{}.</p>\n", text("energy").starts_with("DHR is at most 1") ? "" : " class=\"warning\"", text("energy"));
+    add("<p{}>{}.</p>\n", text("energy").starts_with("DHR is at most 1") ? "" : " class=\"warning\"",
+        text("energy"));
     const auto row = [&](std::string_view what, const std::string& attribute) {
       if (info_.attribute(attribute)) add("<tr><td>{}</td>{}</tr>\n", what, number_cells(attribute));
     };
@@ -240,7 +267,8 @@ class Page {
     row("its θ<sub>i</sub>, degrees", "reciprocity_max_theta_i");
     row("its θ<sub>s</sub>, degrees", "reciprocity_max_theta_s");
     row("its φ, degrees", "reciprocity_max_phi");
-    add("</table></div>\n<p class=\"faint\">A defect is {}: 0.1 is a difference of a tenth between <i>f</i><sub>r</sub> and the "
+    add("</table></div>\n<p class=\"faint\">A defect is {}: 0.1 is a difference of a tenth between "
+        "<i>f</i><sub>r</sub> and the "
         "same with light and detector exchanged.</p>\n",
         text("reciprocity"));
   }
@@ -249,8 +277,13 @@ class Page {
     add("<details><summary>N and DHR at every θ<sub>i</sub> of the table, unpolarised</summary>\n<div "
         "class=\"scroll\"><table>\n<tr>");
     const bool bands = table_.material().has_wavelengths();
-    const std::vector<std::string> names{
-        "normalization_surface", "normalization_bulk", "normalization_retro", "dhr", "dhr_surface", "dhr_bulk", "dhr_retro"};
+    const std::vector<std::string> names{"normalization_surface",
+                                         "normalization_bulk",
+                                         "normalization_retro",
+                                         "dhr",
+                                         "dhr_surface",
+                                         "dhr_bulk",
+                                         "dhr_retro"};
     if (bands) add("<th class=\"number\">nm</th>");
     add("<th class=\"number\">θ<sub>i</sub></th>");
     for (const char* head : {"N surface", "N bulk", "N retro", "DHR", "DHR surface", "DHR bulk", "DHR retro"})
@@ -260,7 +293,8 @@ class Page {
     for (std::size_t band = 0; band < table_.material().bands().size(); ++band)
       for (std::size_t i = 0; i < theta_i.size(); ++i) {
         add("<tr>");
-        if (bands) add("<td class=\"number\">{}</td>", shortest(*table_.material().bands()[band].wavelength_nm));
+        if (bands)
+          add("<td class=\"number\">{}</td>", shortest(*table_.material().bands()[band].wavelength_nm));
         add("<td class=\"number\">{}°</td>", shortest(theta_i[i]));
         for (const auto& name : names) {
           const std::size_t k = band * theta_i.size() + i;
@@ -273,16 +307,19 @@ class Page {
   }
 
   void command() {
-    add("<h2>How the table was made</h2>\n<pre class=\"command\">{}</pre>\n<p>{}{}.</p>\n<details open><summary>The material "
+    add("<h2>How the table was made</h2>\n<pre class=\"command\">{}</pre>\n<p>{}{}.</p>\n<details "
+        "open><summary>The material "
         "file</summary>\n<pre>{}</pre></details>\n{}",
         text("history"), text("source"),
-        text("build_options").empty() ? "" : fmt::format(", kernels built with <code>{}</code>", text("build_options")),
+        text("build_options").empty()
+            ? ""
+            : fmt::format(", kernels built with <code>{}</code>", text("build_options")),
         text("material"), scripts_);
   }
 
   const Subject& table_;
   const TableInfo& info_;
-  const EngineSource& engine_;
+  const LazyEngine& engine_;
   std::string origin_;
   bool round_ = false;
   std::string body_;
@@ -291,7 +328,7 @@ class Page {
 
 }  // namespace
 
-std::string report(const Subject& table, const EngineSource& engine, const std::string& origin) {
+std::string report(const Subject& table, const LazyEngine& engine, const std::string& origin) {
   return Page(table, engine, origin).html();
 }
 

@@ -11,6 +11,6 @@ namespace brdftab {
 inline constexpr std::size_t most_embedded = 1 << 20;
 
 /// The whole file. `origin`: a sentence of plain text, where the table comes from.
-std::string report(const Subject& table, const EngineSource& engine, const std::string& origin);
+std::string report(const Subject& table, const LazyEngine& engine, const std::string& origin);
 
 }  // namespace brdftab

@@ -7,7 +7,6 @@
 #include <set>
 
 #include "host/compute/evaluate.hpp"
-#include "host/base/interrupt.hpp"
 #include "host/table/validation/spot_check.hpp"
 
 namespace brdftab {
@@ -24,7 +23,9 @@ const Axis& axis_of(const Grid& grid, std::size_t k) {
   return k == 0 ? grid.theta_i : k == 1 ? grid.phi_i : k == 2 ? grid.theta_s : grid.phi_s;
 }
 
-double middle(const Axis& axis, std::size_t k) { return axis.size() == 1 ? axis[0] : 0.5 * (axis[k] + axis[k + 1]); }
+double middle(const Axis& axis, std::size_t k) {
+  return axis.size() == 1 ? axis[0] : 0.5 * (axis[k] + axis[k + 1]);
+}
 
 // Errors of one kind of point.
 class Collector {
@@ -55,8 +56,8 @@ struct Collectors {
 // The slices round one cell of (theta_i, phi_i), all their nodes.
 class CellSlices {
  public:
-  CellSlices(TableReader& reader, const StoredTable& table, Polarization polarization, std::size_t band, std::size_t i,
-             std::size_t p)
+  CellSlices(TableReader& reader, const StoredTable& table, Polarization polarization, std::size_t band,
+             std::size_t i, std::size_t p)
       : grid_(table.grid), i_(i), p_(p) {
     const Slab box{{i, std::min(i + 2, grid_.theta_i.size())},
                    {p, std::min(p + 2, grid_.phi_i.size())},
@@ -80,8 +81,10 @@ class CellSlices {
     return samples_[(slice * grid_.theta_s.size() + index[2]) * grid_.phi_s.size() + index[3]];
   }
 
-  // Half way along the given axes from a cell's lower corner: the mean of the corners, and of their logarithms.
-  std::pair<double, std::optional<double>> half_way(const Index& corner, const std::array<bool, 4>& along) const {
+  // Half way along the given axes from a cell's lower corner: the mean of the corners, and of their
+  // logarithms.
+  std::pair<double, std::optional<double>> half_way(const Index& corner,
+                                                    const std::array<bool, 4>& along) const {
     double sum = 0, logarithms = 0;
     int corners = 0;
     for (unsigned bits = 0; bits < 16; ++bits) {
@@ -99,7 +102,8 @@ class CellSlices {
       ++corners;
     }
     const double mean_logarithm = logarithms / corners;
-    return {sum / corners, std::isfinite(mean_logarithm) ? std::optional(std::exp(mean_logarithm)) : std::nullopt};
+    return {sum / corners,
+            std::isfinite(mean_logarithm) ? std::optional(std::exp(mean_logarithm)) : std::nullopt};
   }
 
  private:
@@ -119,8 +123,8 @@ void set_percentiles(InterpolationError& error, std::vector<double>& errors) {
   error.median = errors[errors.size() / 2];
 }
 
-InterpolationErrors interpolation_errors(const Engine& engine, TableReader& reader, const StoredTable& table, double floor,
-                                         std::size_t most_points) {
+InterpolationErrors interpolation_errors(const Engine& engine, TableReader& reader, const StoredTable& table,
+                                         double floor, std::size_t most_points) {
   const Grid& grid = table.grid;
   std::array<bool, 4> has_cells{};
   Index cells{};
@@ -140,7 +144,8 @@ InterpolationErrors interpolation_errors(const Engine& engine, TableReader& read
     for (const auto i : theta_i)
       for (std::size_t p = 0; p < cells[1]; ++p) incidences.emplace(i, p);
   } else {
-    for (std::size_t k = 0; k < most_slices; ++k) incidences.emplace(theta_i[k % theta_i.size()], random() % cells[1]);
+    for (std::size_t k = 0; k < most_slices; ++k)
+      incidences.emplace(theta_i[k % theta_i.size()], random() % cells[1]);
   }
   const std::size_t kinds = table.material.bands().size() * table.polarizations.size();
   const std::size_t in_slice = cells[2] * cells[3];
@@ -149,7 +154,7 @@ InterpolationErrors interpolation_errors(const Engine& engine, TableReader& read
   for (std::size_t band = 0; band < table.material.bands().size(); ++band)
     for (const Polarization polarization : table.polarizations)
       for (const auto& [i, p] : incidences) {
-        stop_if_interrupted();
+        engine.watch().stop_if_asked();
         const CellSlices slices(reader, table, polarization, band, i, p);
         std::vector<std::size_t> chosen(std::min(in_slice, wanted));
         if (in_slice <= wanted)
@@ -170,7 +175,7 @@ InterpolationErrors interpolation_errors(const Engine& engine, TableReader& read
             pairs.push_back({angle[0], angle[2], angle[3] - angle[1], 0});
             corners.push_back(corner);
           }
-          const auto f = evaluate(engine, table.material.bands()[band], table.material.switches(), pairs);
+          const auto f = evaluate(engine, table.material.bands()[band], table.material.variant(), pairs);
           for (std::size_t k = 0; k < f.size(); ++k) {
             const double model = polarization == Polarization::s   ? f[k].s
                                  : polarization == Polarization::p ? f[k].p

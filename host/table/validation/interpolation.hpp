@@ -1,4 +1,5 @@
-// What a user of a table gets between its nodes: linear interpolation against the model, at the centres of cells.
+// What a user of a table gets between its nodes: linear interpolation against the model, at the centres of
+// cells.
 #pragma once
 
 #include <array>
@@ -42,10 +43,10 @@ struct InterpolationErrors {
   std::array<InterpolationKind, 4> along;
 };
 
-/// Measures at most about `most_points` cells: all, or some by a fixed seed; at most 24 theta_i, which each cost an integral.
-/// `floor` is a share of the peak of the cell's slices, 0 for errors relative to f itself.
-InterpolationErrors interpolation_errors(const Engine& engine, TableReader& reader, const StoredTable& table, double floor,
-                                         std::size_t most_points = 300'000);
+/// Measures at most about `most_points` cells: all, or some by a fixed seed; at most 24 theta_i, which each
+/// cost an integral. `floor` is a share of the peak of the cell's slices, 0 for errors relative to f itself.
+InterpolationErrors interpolation_errors(const Engine& engine, TableReader& reader, const StoredTable& table,
+                                         double floor, std::size_t most_points = 300'000);
 
 /// Sorts errors; `maximum` and `worst` are the caller's.
 void set_percentiles(InterpolationError& error, std::vector<double>& errors);

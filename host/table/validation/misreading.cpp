@@ -18,7 +18,8 @@ using Angles = std::array<double, 4>;  // degrees, in the order of the axes
 
 constexpr std::size_t incidences = 4;
 constexpr std::size_t nodes_per_incidence = 24;
-// A mistake explains the samples if this share of them is right under it; others may have been changed besides.
+// A mistake explains the samples if this share of them is right under it; others may have been changed
+// besides.
 constexpr double explained = 0.9;
 
 struct Sample {
@@ -43,14 +44,14 @@ std::vector<Mistake> mistakes(const Grid& grid) {
     std::vector<std::string_view> names;
     for (std::size_t k = 0; k < 4; ++k)
       if (axes >> k & 1) names.push_back(axis_table[k].name);
-    list.push_back(
-        {fmt::format("{} {} in radians, though the table says degrees", fmt::join(names, ", "), names.size() > 1 ? "are" : "is"),
-         [&grid, axes](const Index& index) {
-           Angles angles = angles_at(grid, index);
-           for (std::size_t k = 0; k < 4; ++k)
-             if (axes >> k & 1) angles[k] *= 180 / std::numbers::pi;
-           return angles;
-         }});
+    list.push_back({fmt::format("{} {} in radians, though the table says degrees", fmt::join(names, ", "),
+                                names.size() > 1 ? "are" : "is"),
+                    [&grid, axes](const Index& index) {
+                      Angles angles = angles_at(grid, index);
+                      for (std::size_t k = 0; k < 4; ++k)
+                        if (axes >> k & 1) angles[k] *= 180 / std::numbers::pi;
+                      return angles;
+                    }});
   }
   for (std::size_t a = 0; a < 4; ++a)
     for (std::size_t b = a + 1; b < 4; ++b) {
@@ -72,10 +73,11 @@ std::vector<Mistake> mistakes(const Grid& grid) {
     }
   for (std::size_t a = 0; a < 4; ++a)
     if (shape[a] > 1)
-      list.push_back({fmt::format("the axis {} is reversed", axis_table[a].name), [&grid, shape, a](Index index) {
-                        index[a] = shape[a] - 1 - index[a];
-                        return angles_at(grid, index);
-                      }});
+      list.push_back(
+          {fmt::format("the axis {} is reversed", axis_table[a].name), [&grid, shape, a](Index index) {
+             index[a] = shape[a] - 1 - index[a];
+             return angles_at(grid, index);
+           }});
   list.push_back({"azimuth is counted from the backward side", [&grid](const Index& index) {
                     Angles angles = angles_at(grid, index);
                     angles[3] += 180;
@@ -92,8 +94,9 @@ bool explains(const Mistake& mistake, const reference::Model& model, Polarizatio
     const Angles angles = mistake.angles(sample.index);
     if (!(angles[0] < 90 && angles[2] < 90)) return false;
     const double expected = brdf_at(model, angles[0], angles[2], angles[3] - angles[1], polarization);
-    const bool same = std::abs(expected) < smallest_compared ? std::abs(sample.value) < smallest_compared
-                                                             : std::abs(sample.value / expected - 1) <= tolerance;
+    const bool same = std::abs(expected) < smallest_compared
+                          ? std::abs(sample.value) < smallest_compared
+                          : std::abs(sample.value / expected - 1) <= tolerance;
     ++(same ? right : wrong);
     if (wrong > allowed_wrong) return false;
   }
@@ -102,8 +105,8 @@ bool explains(const Mistake& mistake, const reference::Model& model, Polarizatio
 
 }  // namespace
 
-std::string find_misreading(const std::vector<reference::Model>& models, TableReader& reader, const StoredTable& table,
-                            double tolerance) {
+std::string find_misreading(const std::vector<reference::Model>& models, TableReader& reader,
+                            const StoredTable& table, double tolerance) {
   std::mt19937_64 random(20080102);
   const Grid& grid = table.grid;
   const auto below = [&](std::size_t count) { return static_cast<std::size_t>(random() % count); };
@@ -111,15 +114,19 @@ std::string find_misreading(const std::vector<reference::Model>& models, TableRe
   std::vector<double> row(grid.phi_s.size());
   for (std::size_t k = 0; k < incidences * nodes_per_incidence; ++k) {
     // Few theta_i, since each costs an integral.
-    const std::size_t i = (k % incidences) * (grid.theta_i.size() - 1) / std::max<std::size_t>(incidences - 1, 1);
+    const std::size_t i =
+        (k % incidences) * (grid.theta_i.size() - 1) / std::max<std::size_t>(incidences - 1, 1);
     const Index index{i, below(grid.phi_i.size()), below(grid.theta_s.size()), below(grid.phi_s.size())};
-    reader.read(table.polarizations.front(), 0,
-                {{index[0], index[0] + 1}, {index[1], index[1] + 1}, {index[2], index[2] + 1}, grid.phi_s.size()}, row);
+    reader.read(
+        table.polarizations.front(), 0,
+        {{index[0], index[0] + 1}, {index[1], index[1] + 1}, {index[2], index[2] + 1}, grid.phi_s.size()},
+        row);
     samples.push_back({index, row[index[3]]});
   }
   // Axes in radians need no more than what other mistakes do: they are tried first and named alone.
   for (const Mistake& mistake : mistakes(grid))
-    if (explains(mistake, models.front(), table.polarizations.front(), samples, tolerance)) return mistake.words;
+    if (explains(mistake, models.front(), table.polarizations.front(), samples, tolerance))
+      return mistake.words;
   return {};
 }
 

@@ -8,7 +8,6 @@
 #include <random>
 #include <thread>
 
-#include "host/base/interrupt.hpp"
 #include "host/table/validation/spot_check.hpp"
 
 namespace brdftab {
@@ -59,17 +58,20 @@ std::vector<std::size_t> selected(const Grid& grid, const NodeSelection& selecti
     for (int corner = 0; corner < 16; ++corner) {
       std::array<std::size_t, 4> index;
       for (std::size_t k = 0; k < 4; ++k) index[k] = corner >> k & 1 ? shape[k] - 1 : 0;
-      for (index[axis] = 0; index[axis] < shape[axis]; index[axis] += stride) nodes.push_back(flattened(index, shape));
+      for (index[axis] = 0; index[axis] < shape[axis]; index[axis] += stride)
+        nodes.push_back(flattened(index, shape));
     }
   }
   std::mt19937_64 random(20080101);
   std::vector<std::size_t> incidences(random_incidences);
   for (auto& i : incidences) i = random() % shape[0];
   for (std::size_t k = 0; k < selection.random; ++k)
-    nodes.push_back(
-        flattened({incidences[k % random_incidences], random() % shape[1], random() % shape[2], random() % shape[3]}, shape));
+    nodes.push_back(flattened(
+        {incidences[k % random_incidences], random() % shape[1], random() % shape[2], random() % shape[3]},
+        shape));
   const std::size_t rows = grid.directions() / shape[3];
-  const std::size_t stride = selection.every_row > 0 ? selection.every_row : std::max<std::size_t>(rows / rows_by_default, 1);
+  const std::size_t stride =
+      selection.every_row > 0 ? selection.every_row : std::max<std::size_t>(rows / rows_by_default, 1);
   for (std::size_t row = 0; row < rows; row += stride)
     for (std::size_t k = 0; k < shape[3]; ++k) nodes.push_back(row * shape[3] + k);
   std::sort(nodes.begin(), nodes.end());
@@ -138,20 +140,26 @@ struct Comparison {
 
 double Node::error() const { return relative_error(stored, expected); }
 
-double brdf_at(const reference::Model& model, double theta_i, double theta_s, double phi, Polarization polarization) {
+double brdf_at(const reference::Model& model, double theta_i, double theta_s, double phi,
+               Polarization polarization) {
   const auto f = model.brdf(theta_i, theta_s, phi);
-  return (polarization == Polarization::s ? f.s : polarization == Polarization::p ? f.p : f.unpolarized()).total();
+  return (polarization == Polarization::s   ? f.s
+          : polarization == Polarization::p ? f.p
+                                            : f.unpolarized())
+      .total();
 }
 
-void evaluate_nodes(const std::vector<reference::Model>& models, const StoredTable& table, std::span<Node> nodes) {
+void evaluate_nodes(const std::vector<reference::Model>& models, const StoredTable& table,
+                    std::span<Node> nodes, const Watch& watch) {
   std::atomic<std::size_t> next = 0;
   const auto work = [&] {
     for (std::size_t begin; (begin = next.fetch_add(nodes_per_task)) < nodes.size();) {
-      if (interrupted()) return;
+      if (watch.stop.stop_requested()) return;
       for (Node& node : nodes.subspan(begin, std::min(nodes_per_task, nodes.size() - begin))) {
         const auto& [i, p, s, q] = node.index;
-        node.expected = brdf_at(models[node.band], table.grid.theta_i[i], table.grid.theta_s[s],
-                                table.grid.phi_s[q] - table.grid.phi_i[p], table.polarizations[node.polarization]);
+        node.expected =
+            brdf_at(models[node.band], table.grid.theta_i[i], table.grid.theta_s[s],
+                    table.grid.phi_s[q] - table.grid.phi_i[p], table.polarizations[node.polarization]);
       }
     }
   };
@@ -160,11 +168,12 @@ void evaluate_nodes(const std::vector<reference::Model>& models, const StoredTab
     for (unsigned k = 1; k < std::thread::hardware_concurrency(); ++k) threads.emplace_back(work);
     work();
   }
-  stop_if_interrupted();
+  watch.stop_if_asked();
 }
 
-NodeFindings check_nodes(const Engine& engine, std::vector<Plan>& plans, const std::vector<reference::Model>& models,
-                         TableReader& reader, const StoredTable& table, double tolerance, const NodeSelection& selection) {
+NodeFindings check_nodes(const Engine& engine, std::vector<Plan>& plans,
+                         const std::vector<reference::Model>& models, TableReader& reader,
+                         const StoredTable& table, double tolerance, const NodeSelection& selection) {
   const auto shape = shape_of(table.grid);
   const auto chosen = selection.all ? std::vector<std::size_t>{} : selected(table.grid, selection);
   const auto cuts = slabs(table.grid, slab_nodes);
@@ -178,7 +187,7 @@ NodeFindings check_nodes(const Engine& engine, std::vector<Plan>& plans, const s
   for (std::size_t band = 0; band < plans.size(); ++band)
     for (std::size_t polarization = 0; polarization < table.polarizations.size(); ++polarization)
       for (const Slab& slab : cuts) {
-        stop_if_interrupted();
+        engine.watch().stop_if_asked();
         const std::size_t nodes = slab.nodes();
         stored.resize(nodes);
         kernel.resize(nodes);
@@ -189,7 +198,8 @@ NodeFindings check_nodes(const Engine& engine, std::vector<Plan>& plans, const s
         engine.queue().enqueueReadBuffer(samples, CL_TRUE, 0, bytes.size(), bytes.data());
         engine.table() == Precision::float64 ? widen<double>(bytes, kernel) : widen<float>(bytes, kernel);
 
-        const std::size_t first = flattened({slab.theta_i.begin, slab.phi_i.begin, slab.theta_s.begin, 0}, shape);
+        const std::size_t first =
+            flattened({slab.theta_i.begin, slab.phi_i.begin, slab.theta_s.begin, 0}, shape);
         const auto node_at = [&](std::size_t k) {
           return Node{polarization, band, unflattened(first + k, shape), stored[k], kernel[k]};
         };
@@ -206,19 +216,20 @@ NodeFindings check_nodes(const Engine& engine, std::vector<Plan>& plans, const s
         findings.screened += nodes;
         if (selection.all) {
           for (std::size_t k = 0; k < nodes; ++k) reference_nodes.push_back(node_at(k));
-          evaluate_nodes(models, table, reference_nodes);
+          evaluate_nodes(models, table, reference_nodes, engine.watch());
           comparison.add(reference_nodes, false);
           reference_nodes.clear();
         } else {
-          for (auto at = std::lower_bound(chosen.begin(), chosen.end(), first); at != chosen.end() && *at < first + nodes; ++at)
+          for (auto at = std::lower_bound(chosen.begin(), chosen.end(), first);
+               at != chosen.end() && *at < first + nodes; ++at)
             reference_nodes.push_back(node_at(*at - first));
         }
       }
-  evaluate_nodes(models, table, reference_nodes);
+  evaluate_nodes(models, table, reference_nodes, engine.watch());
   comparison.add(reference_nodes, false);
   auto doubtful = suspects.take();
   if (!selection.all) {
-    evaluate_nodes(models, table, doubtful);
+    evaluate_nodes(models, table, doubtful, engine.watch());
     comparison.add(doubtful, true);
   }
   if (!kernels_decide) findings.over_tolerance = comparison.over_tolerance;

@@ -1,10 +1,12 @@
-// The samples of a stored table against the model: every node against the kernels, and many against the scalar reference.
+// The samples of a stored table against the model: every node against the kernels, and many against the
+// scalar reference.
 #pragma once
 
 #include <array>
 #include <optional>
 #include <vector>
 
+#include "host/base/watch.hpp"
 #include "host/compute/opencl/engine.hpp"
 #include "host/compute/plan.hpp"
 #include "host/reference/model.hpp"
@@ -44,13 +46,16 @@ struct NodeFindings {
 };
 
 /// `plans` and `models`: one for each band of the table. Reads every sample once.
-NodeFindings check_nodes(const Engine& engine, std::vector<Plan>& plans, const std::vector<reference::Model>& models,
-                         TableReader& reader, const StoredTable& table, double tolerance, const NodeSelection& selection);
+NodeFindings check_nodes(const Engine& engine, std::vector<Plan>& plans,
+                         const std::vector<reference::Model>& models, TableReader& reader,
+                         const StoredTable& table, double tolerance, const NodeSelection& selection);
 
 /// f of nodes by the scalar reference, in several threads; sets Node::expected.
-void evaluate_nodes(const std::vector<reference::Model>& models, const StoredTable& table, std::span<Node> nodes);
+void evaluate_nodes(const std::vector<reference::Model>& models, const StoredTable& table,
+                    std::span<Node> nodes, const Watch& watch);
 
 /// Of a node, by its polarisation.
-double brdf_at(const reference::Model& model, double theta_i, double theta_s, double phi, Polarization polarization);
+double brdf_at(const reference::Model& model, double theta_i, double theta_s, double phi,
+               Polarization polarization);
 
 }  // namespace brdftab

@@ -39,12 +39,14 @@ SpotCheck::SpotCheck(const TableContent& content) : content_(content) {
   }
 }
 
-void SpotCheck::take(std::size_t polarization, std::size_t band, const Slab& slab, std::span<const std::byte> samples) {
+void SpotCheck::take(std::size_t polarization, std::size_t band, const Slab& slab,
+                     std::span<const std::byte> samples) {
   for (Node& node : nodes_) {
     if (node.polarization != polarization || node.band != band || !contains(slab.theta_i, node.theta_i) ||
         !contains(slab.phi_i, node.phi_i) || !contains(slab.theta_s, node.theta_s))
       continue;
-    const std::size_t incidence = (node.theta_i - slab.theta_i.begin) * slab.phi_i.size() + (node.phi_i - slab.phi_i.begin);
+    const std::size_t incidence =
+        (node.theta_i - slab.theta_i.begin) * slab.phi_i.size() + (node.phi_i - slab.phi_i.begin);
     const std::size_t row = incidence * slab.theta_s.size() + (node.theta_s - slab.theta_s.begin);
     node.value = sample_at(samples, row * slab.phi_s + node.phi_s, content_.precision);
   }
@@ -52,7 +54,8 @@ void SpotCheck::take(std::size_t polarization, std::size_t band, const Slab& sla
 
 Accuracy SpotCheck::compare() const {
   std::vector<reference::Model> models;
-  for (const Band& band : content_.material.bands()) models.emplace_back(band.parameters, content_.material.switches());
+  for (const Band& band : content_.material.bands())
+    models.emplace_back(band.parameters, content_.material.variant());
   const Grid& grid = content_.grid;
   Accuracy accuracy;
   double sum = 0;

@@ -31,13 +31,14 @@ class Rebuilder {
       dimensions.emplace_back(row.name);
       shape.push_back(grid[row.kind].size());
     }
-    StoredTable table{.material = material,
-                      .grid = grid,
-                      .polarizations = {},
-                      .precision = Precision::float32,
-                      .working = text("working_precision") == "float32" ? Precision::float32 : Precision::float64,
-                      .promised = 0,
-                      .faults = {}};
+    StoredTable table{
+        .material = material,
+        .grid = grid,
+        .polarizations = {},
+        .precision = Precision::float32,
+        .working = text("working_precision") == "float32" ? Precision::float32 : Precision::float64,
+        .promised = 0,
+        .faults = {}};
     std::string type;
     for (const Polarization polarization : {Polarization::unpolarized, Polarization::s, Polarization::p}) {
       const VariableInfo* samples = info_.variable(brdf_name(polarization));
@@ -45,7 +46,8 @@ class Rebuilder {
       check_variable(*samples, dimensions, shape, "sr-1");
       if (samples->type != "float32" && samples->type != "float64")
         fail("{} is of type {}, not float32 or float64", samples->name, samples->type);
-      if (!type.empty() && samples->type != type) fail("{} is {}, but another brdf is {}", samples->name, samples->type, type);
+      if (!type.empty() && samples->type != type)
+        fail("{} is {}, but another brdf is {}", samples->name, samples->type, type);
       type = samples->type;
       table.polarizations.push_back(polarization);
     }
@@ -66,7 +68,7 @@ class Rebuilder {
  private:
   template <class... Args>
   [[noreturn]] void fail(fmt::format_string<Args...> format, Args&&... args) const {
-    throw Error(ExitStatus::check_failed, "{}: {}", file_, fmt::format(format, std::forward<Args>(args)...));
+    throw Error(Fault::check, "{}: {}", file_, fmt::format(format, std::forward<Args>(args)...));
   }
 
   std::string text(std::string_view name) const {
@@ -87,7 +89,8 @@ class Rebuilder {
     const VariableInfo* variable = info_.variable(name);
     if (!variable) fail("has no axis {}", name);
     if (variable->shape.size() != 1) fail("axis {} has {} dimensions, not one", name, variable->shape.size());
-    if (variable->units != units) fail("axis {} is in units '{}', not '{}'", name, excerpt(variable->units), units);
+    if (variable->units != units)
+      fail("axis {} is in units '{}', not '{}'", name, excerpt(variable->units), units);
     return *variable;
   }
 
@@ -105,12 +108,12 @@ class Rebuilder {
     std::vector<double> expected;
     for (const Band& band : material.bands()) expected.push_back(*band.wavelength_nm);
     if (wavelength.values != expected)
-      fail("axis wavelength has {} nm, but the bands of the material's text are {} nm", fmt::join(wavelength.values, ", "),
-           fmt::join(expected, ", "));
+      fail("axis wavelength has {} nm, but the bands of the material's text are {} nm",
+           fmt::join(wavelength.values, ", "), fmt::join(expected, ", "));
   }
 
-  void check_variable(const VariableInfo& variable, const Names& dimensions, const std::vector<std::size_t>& shape,
-                      std::string_view units) const {
+  void check_variable(const VariableInfo& variable, const Names& dimensions,
+                      const std::vector<std::size_t>& shape, std::string_view units) const {
     Names sorted = variable.dimensions, expected = dimensions;
     std::sort(sorted.begin(), sorted.end());
     std::sort(expected.begin(), expected.end());
@@ -121,10 +124,11 @@ class Rebuilder {
       std::vector<std::size_t> sizes = variable.shape, wanted = shape;
       std::sort(sizes.begin(), sizes.end());
       std::sort(wanted.begin(), wanted.end());
-      fail("{} has {} nodes, but its axes have {}{}", variable.name, fmt::join(variable.shape, " x "), fmt::join(shape, " x "),
-           sizes == wanted ? ": axes are swapped" : "");
+      fail("{} has {} nodes, but its axes have {}{}", variable.name, fmt::join(variable.shape, " x "),
+           fmt::join(shape, " x "), sizes == wanted ? ": axes are swapped" : "");
     }
-    if (variable.units != units) fail("{} is in units '{}', not '{}'", variable.name, excerpt(variable.units), units);
+    if (variable.units != units)
+      fail("{} is in units '{}', not '{}'", variable.name, excerpt(variable.units), units);
   }
 
   // Bits that were dropped on writing: half a unit of the last one kept, at most.
@@ -159,8 +163,9 @@ class Rebuilder {
       else if (*stored != attribute.value)
         table.faults.push_back(fmt::format(
             "attribute {} is {}, but {} {}: edited after the table was made", attribute.name, shown(*stored),
-            attribute.name == "azimuth_convention" || attribute.name == "grid_registration" ? "this program writes"
-                                                                                            : "the material's text says",
+            attribute.name == "azimuth_convention" || attribute.name == "grid_registration"
+                ? "this program writes"
+                : "the material's text says",
             shown(attribute.value)));
     }
   }
@@ -171,6 +176,8 @@ class Rebuilder {
 
 }  // namespace
 
-StoredTable rebuild(const TableInfo& info, const std::string& file) { return Rebuilder(info, file).rebuild(); }
+StoredTable rebuild(const TableInfo& info, const std::string& file) {
+  return Rebuilder(info, file).rebuild();
+}
 
 }  // namespace brdftab

@@ -1,4 +1,5 @@
-// What a table file claims to be, rebuilt from it: the material from its text, the axes, and what it promises.
+// What a table file claims to be, rebuilt from it: the material from its text, the axes, and what it
+// promises.
 #pragma once
 
 #include <string>
@@ -23,8 +24,8 @@ struct StoredTable {
   std::vector<std::string> faults;
 };
 
-/// Throws Error (exit status 1) that names what makes the file no table: a variable that is missing or has another shape,
-/// dimensions in another order, units, an axis that is none.
+/// Throws Error (exit status 1) that names what makes the file no table: a variable that is missing or has
+/// another shape, dimensions in another order, units, an axis that is none.
 StoredTable rebuild(const TableInfo& info, const std::string& file);
 
 }  // namespace brdftab

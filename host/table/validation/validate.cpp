@@ -4,11 +4,10 @@
 #include <cmath>
 
 #include "host/base/error.hpp"
-#include "host/base/interrupt.hpp"
-#include "host/table/validation/misreading.hpp"
 #include "host/base/numbers.hpp"
-#include "host/table/validation/spot_check.hpp"
 #include "host/table/table_attributes.hpp"
+#include "host/table/validation/misreading.hpp"
+#include "host/table/validation/spot_check.hpp"
 
 namespace brdftab {
 namespace {
@@ -33,14 +32,15 @@ double relative(double stored, double expected) {
 
 class Validator {
  public:
-  Validator(const Engine& engine, TableReader& reader, const StoredTable& table, const ValidateOptions& options)
+  Validator(const Engine& engine, TableReader& reader, const StoredTable& table,
+            const ValidateOptions& options)
       : engine_(engine), reader_(reader), table_(table), options_(options) {
     result_.tolerance = options.tolerance.value_or(table.promised);
     result_.faults = table.faults;
     for (const Band& band : table.material.bands()) {
-      integrals_.push_back(integrals(engine, band, table.material.switches(), table.grid.theta_i.nodes()));
+      integrals_.push_back(integrals(engine, band, table.material.variant(), table.grid.theta_i.nodes()));
       plans_.emplace_back(engine, table.material, band, table.grid, integrals_.back());
-      models_.emplace_back(band.parameters, table.material.switches());
+      models_.emplace_back(band.parameters, table.material.variant());
     }
   }
 
@@ -68,28 +68,34 @@ class Validator {
     const NodeFindings& nodes = result_.nodes =
         check_nodes(engine_, plans_, models_, reader_, table_, result_.tolerance, options_.nodes);
     if (nodes.not_finite + nodes.negative > 0)
-      fault("{} nodes are not finite and {} are negative, the first {} at {}", nodes.not_finite, nodes.negative,
-            shortest(nodes.first_bad->stored), describe(table_, *nodes.first_bad));
+      fault("{} nodes are not finite and {} are negative, the first {} at {}", nodes.not_finite,
+            nodes.negative, shortest(nodes.first_bad->stored), describe(table_, *nodes.first_bad));
     if (!nodes.worst || nodes.max_relative_error <= result_.tolerance) return;
     const double share = static_cast<double>(nodes.over_tolerance) / static_cast<double>(nodes.nodes);
     const std::string misreading =
-        share > mostly ? find_misreading(models_, reader_, table_, std::max(1e-5, 10 * result_.tolerance)) : "";
-    const std::string worst = fmt::format("the worst has {} where the reference has {}, a relative error of {:.2e}, at {}",
-                                          shortest(nodes.worst->stored), shortest(nodes.worst->expected),
-                                          nodes.max_relative_error, describe(table_, *nodes.worst));
+        share > mostly ? find_misreading(models_, reader_, table_, std::max(1e-5, 10 * result_.tolerance))
+                       : "";
+    const std::string worst =
+        fmt::format("the worst has {} where the reference has {}, a relative error of {:.2e}, at {}",
+                    shortest(nodes.worst->stored), shortest(nodes.worst->expected), nodes.max_relative_error,
+                    describe(table_, *nodes.worst));
     if (!misreading.empty())
       fault(
-          "{}: read so, the samples are those of the material; as the file stands, {} of {} nodes differ from the reference by "
+          "{}: read so, the samples are those of the material; as the file stands, {} of {} nodes differ "
+          "from the reference by "
           "more than {:.1e}: {}",
           misreading, nodes.over_tolerance, nodes.nodes, result_.tolerance, worst);
     else if (share > mostly)
       fault(
-          "the samples are not those of the material's text on these axes: {} of {} nodes differ from the reference by more than "
+          "the samples are not those of the material's text on these axes: {} of {} nodes differ from the "
+          "reference by more than "
           "{:.1e}: {}",
           nodes.over_tolerance, nodes.nodes, result_.tolerance, worst);
     else
-      fault("{} of {} nodes differ from the reference by more than {:.1e}, as if changed after the table was made: {}",
-            std::max<std::size_t>(nodes.over_tolerance, 1), nodes.nodes, result_.tolerance, worst);
+      fault(
+          "{} of {} nodes differ from the reference by more than {:.1e}, as if changed after the table was "
+          "made: {}",
+          std::max<std::size_t>(nodes.over_tolerance, 1), nodes.nodes, result_.tolerance, worst);
   }
 
   // All stored values against the kernels', some against the reference.
@@ -107,17 +113,17 @@ class Validator {
         return reader_.info().variable(name)->values[band * angles + k];
       };
       for (const std::size_t k : spread_indices(angles, all ? angles : reference_normalization_angles)) {
-        stop_if_interrupted();
+        engine_.watch().stop_if_asked();
         for (std::size_t lobe = 0; lobe < 3; ++lobe) {
           const std::string name = fmt::format("normalization_{}", lobe_names[lobe]);
-          record(name, k, stored(name, k), models_[band].normalization(static_cast<Lobe>(lobe), table_.grid.theta_i[k]).value,
-                 true);
+          record(name, k, stored(name, k),
+                 models_[band].normalization(static_cast<Lobe>(lobe), table_.grid.theta_i[k]).value, true);
         }
       }
       // The variant that integrates N at every node of DHR would take minutes.
-      if (table_.material.switches().normalization == Normalization::reciprocal && !all) continue;
+      if (table_.material.variant().normalization == Normalization::reciprocal && !all) continue;
       for (const std::size_t k : spread_indices(angles, all ? angles : reference_dhr_angles)) {
-        stop_if_interrupted();
+        engine_.watch().stop_if_asked();
         const auto dhr = models_[band].dhr(table_.grid.theta_i[k]).unpolarized();
         const std::array values{dhr.surface.value, dhr.bulk.value, dhr.retro.value};
         for (std::size_t lobe = 0; lobe < 3; ++lobe) {
@@ -146,8 +152,8 @@ class Validator {
 
   void judge(const IntegralFindings& findings, double promised) {
     if (findings.max_relative_error > promised)
-      fault("{} at theta_i = {} degrees differs from the model's by {:.2e}, more than {:.0e}", findings.variable,
-            shortest(findings.theta_i), findings.max_relative_error, promised);
+      fault("{} at theta_i = {} degrees differs from the model's by {:.2e}, more than {:.0e}",
+            findings.variable, shortest(findings.theta_i), findings.max_relative_error, promised);
   }
 
   void check_energy() {
@@ -158,13 +164,14 @@ class Validator {
         result_.largest_dhr_theta_i = table_.grid.theta_i[k % table_.grid.theta_i.size()];
       }
     for (std::size_t band = 0; band < plans_.size(); ++band)
-      for (auto& warning : energy_warnings(table_.material, table_.material.bands()[band], table_.grid.theta_i.nodes(),
-                                           integrals_[band].dhr, table_.polarizations))
+      for (auto& warning :
+           energy_warnings(table_.material, table_.material.bands()[band], table_.grid.theta_i.nodes(),
+                           integrals_[band].dhr, table_.polarizations))
         result_.energy_warnings.push_back(std::move(warning));
   }
 
-  // Pairs (theta_i, theta_s) and (theta_s, theta_i) that are both nodes; the model is not reciprocal, so this is a figure,
-  // no fault.
+  // Pairs (theta_i, theta_s) and (theta_s, theta_i) that are both nodes; the model is not reciprocal, so this
+  // is a figure, no fault.
   void check_reciprocity() {
     const Grid& grid = table_.grid;
     struct Common {
@@ -174,7 +181,8 @@ class Validator {
     for (std::size_t i = 0; i < grid.theta_i.size(); ++i) {
       const auto nodes = grid.theta_s.nodes();
       const auto at = std::lower_bound(nodes.begin(), nodes.end(), grid.theta_i[i]);
-      if (at != nodes.end() && *at == grid.theta_i[i]) common.push_back({i, static_cast<std::size_t>(at - nodes.begin())});
+      if (at != nodes.end() && *at == grid.theta_i[i])
+        common.push_back({i, static_cast<std::size_t>(at - nodes.begin())});
     }
     std::vector<Common> chosen;
     for (const std::size_t k : spread_indices(common.size(), reciprocity_angles)) chosen.push_back(common[k]);
@@ -182,8 +190,8 @@ class Validator {
     std::vector<std::vector<double>> rows(chosen.size() * chosen.size(), std::vector<double>(columns));
     for (std::size_t a = 0; a < chosen.size(); ++a) {
       std::vector<double> slice(grid.theta_s.size() * columns);
-      reader_.read(table_.polarizations.front(), 0, {{chosen[a].i, chosen[a].i + 1}, {0, 1}, {0, grid.theta_s.size()}, columns},
-                   slice);
+      reader_.read(table_.polarizations.front(), 0,
+                   {{chosen[a].i, chosen[a].i + 1}, {0, 1}, {0, grid.theta_s.size()}, columns}, slice);
       for (std::size_t b = 0; b < chosen.size(); ++b)
         std::copy_n(slice.begin() + static_cast<std::ptrdiff_t>(chosen[b].s * columns), columns,
                     rows[a * chosen.size() + b].begin());
@@ -205,7 +213,8 @@ class Validator {
         }
     found.pairs = defects.size();
     if (defects.empty()) return;
-    std::nth_element(defects.begin(), defects.begin() + static_cast<std::ptrdiff_t>(defects.size() / 2), defects.end());
+    std::nth_element(defects.begin(), defects.begin() + static_cast<std::ptrdiff_t>(defects.size() / 2),
+                     defects.end());
     found.median = defects[defects.size() / 2];
   }
 
@@ -224,13 +233,15 @@ class Validator {
 std::string describe(const StoredTable& table, const Node& node) {
   const auto& [i, p, s, q] = node.index;
   const Band& band = table.material.bands()[node.band];
-  return fmt::format("theta_i = {}, phi_i = {}, theta_s = {}, phi_s = {} degrees{} ({})", shortest(table.grid.theta_i[i]),
-                     shortest(table.grid.phi_i[p]), shortest(table.grid.theta_s[s]), shortest(table.grid.phi_s[q]),
+  return fmt::format("theta_i = {}, phi_i = {}, theta_s = {}, phi_s = {} degrees{} ({})",
+                     shortest(table.grid.theta_i[i]), shortest(table.grid.phi_i[p]),
+                     shortest(table.grid.theta_s[s]), shortest(table.grid.phi_s[q]),
                      band.wavelength_nm ? fmt::format(", {} nm", shortest(*band.wavelength_nm)) : "",
                      brdf_name(table.polarizations[node.polarization]));
 }
 
-Validation validate(const Engine& engine, TableReader& reader, const StoredTable& table, const ValidateOptions& options) {
+Validation validate(const Engine& engine, TableReader& reader, const StoredTable& table,
+                    const ValidateOptions& options) {
   return Validator(engine, reader, table, options).run();
 }
 

@@ -46,7 +46,8 @@ struct Validation {
   std::vector<std::string> faults;
 };
 
-Validation validate(const Engine& engine, TableReader& reader, const StoredTable& table, const ValidateOptions& options);
+Validation validate(const Engine& engine, TableReader& reader, const StoredTable& table,
+                    const ValidateOptions& options);
 
 /// A node's angles, wavelength and polarisation in words.
 std::string describe(const StoredTable& table, const Node& node);

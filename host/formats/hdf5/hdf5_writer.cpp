@@ -1,24 +1,29 @@
-#include "host/formats/hdf5/hdf5_table.hpp"
+#include "host/formats/hdf5/hdf5_writer.hpp"
 
 #include <algorithm>
 #include <optional>
 
 #include "host/base/error.hpp"
+#include "host/base/page_cache_window.hpp"
 #include "host/formats/hdf5/hdf5_chunks.hpp"
 #include "host/formats/hdf5/hdf5_file.hpp"
 #include "host/formats/hdf5/hdf5_view.hpp"
-#include "host/base/page_cache_window.hpp"
 #include "host/table/table_attributes.hpp"
 
 namespace brdftab {
 namespace {
 
-hid_t stored_type(Precision precision) { return precision == Precision::float64 ? H5T_IEEE_F64LE : H5T_IEEE_F32LE; }
+hid_t stored_type(Precision precision) {
+  return precision == Precision::float64 ? H5T_IEEE_F64LE : H5T_IEEE_F32LE;
+}
 
-hid_t memory_type(Precision precision) { return precision == Precision::float64 ? H5T_NATIVE_DOUBLE : H5T_NATIVE_FLOAT; }
+hid_t memory_type(Precision precision) {
+  return precision == Precision::float64 ? H5T_NATIVE_DOUBLE : H5T_NATIVE_FLOAT;
+}
 
 std::uint64_t sample_bytes(const TableContent& content) {
-  return content.grid.directions() * content.material.bands().size() * content.polarizations.size() * bytes_of(content.precision);
+  return content.grid.directions() * content.material.bands().size() * content.polarizations.size() *
+         bytes_of(content.precision);
 }
 
 // Nodes before a position, in the order of the dataset.
@@ -31,16 +36,17 @@ std::uint64_t first_node(hid_t dataset, const std::vector<hsize_t>& position) {
   return node;
 }
 
-class Hdf5Table : public TableWriter {
+class Hdf5Writer : public TableWriter {
  public:
-  Hdf5Table(const std::filesystem::path& path, const TableContent& content)
+  Hdf5Writer(const std::filesystem::path& path, const TableContent& content)
       : path_(path),
         precision_(content.precision),
         storage_(content.storage),
         rounding_attributes_(rounding_attributes(content)),
         file_(path, content.storage.layout == Layout::virtual_view ? H5F_LIBVER_V110 : H5F_LIBVER_V18),
         page_cache_(path, sample_bytes(content)) {
-    if (storage_.deflate_level > 0) chunks_.emplace(content.grid, bytes_of(precision_), storage_.deflate_level);
+    if (storage_.deflate_level > 0)
+      chunks_.emplace(content.grid, bytes_of(precision_), storage_.deflate_level);
     file_.write_attributes(content_attributes(content));
     if (content.material.has_wavelengths()) {
       std::vector<double> wavelengths;
@@ -59,7 +65,8 @@ class Hdf5Table : public TableWriter {
     }
     stored_dimensions_ = dimensions_;
     if (storage_.layout == Layout::virtual_view) {
-      const std::string long_name = "azimuth of scatter from that of incidence, phi_s - phi_i; its period is 360 degrees";
+      const std::string long_name =
+          "azimuth of scatter from that of incidence, phi_s - phi_i; its period is 360 degrees";
       file_.create_scale("phi", content.grid.phi_s.nodes(), "degree", long_name, "");
       stored_dimensions_.erase(stored_dimensions_.end() - 3);
       stored_dimensions_.back() = "phi";
@@ -72,7 +79,8 @@ class Hdf5Table : public TableWriter {
     hdf5_check(H5Fflush(file_.id(), H5F_SCOPE_LOCAL), path_.string());
   }
 
-  void write(std::size_t polarization, std::size_t band, const Slab& slab, std::span<const std::byte> samples) override {
+  void write(std::size_t polarization, std::size_t band, const Slab& slab,
+             std::span<const std::byte> samples) override {
     // HDF5 keeps a stack of errors for each thread, and the writer's is not that of the table's creator.
     hdf5_quiet();
     const Hdf5Handle& dataset = samples_[polarization];
@@ -84,14 +92,18 @@ class Hdf5Table : public TableWriter {
       return;
     }
     const auto start = coordinates(band, slab.theta_i.begin, slab.phi_i.begin, slab.theta_s.begin, 0);
-    const auto count = coordinates(1, slab.theta_i.size(), slab.phi_i.size(), slab.theta_s.size(), slab.phi_s);
+    const auto count =
+        coordinates(1, slab.theta_i.size(), slab.phi_i.size(), slab.theta_s.size(), slab.phi_s);
     const Hdf5Handle space(H5Dget_space(dataset), "brdf");
-    hdf5_check(H5Sselect_hyperslab(space, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr), "brdf");
+    hdf5_check(H5Sselect_hyperslab(space, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr),
+               "brdf");
     const hsize_t nodes = slab.nodes();
     const Hdf5Handle memory(H5Screate_simple(1, &nodes, nullptr), "brdf");
-    hdf5_check(H5Dwrite(dataset, memory_type(precision_), memory, space, H5P_DEFAULT, samples.data()), path_.string());
+    hdf5_check(H5Dwrite(dataset, memory_type(precision_), memory, space, H5P_DEFAULT, samples.data()),
+               path_.string());
     const haddr_t begin = H5Dget_offset(dataset);
-    if (begin != HADDR_UNDEF) page_cache_.written(begin + first_node(dataset, start) * bytes_of(precision_), samples.size());
+    if (begin != HADDR_UNDEF)
+      page_cache_.written(begin + first_node(dataset, start) * bytes_of(precision_), samples.size());
   }
 
   void finish(const TableFindings& findings) override {
@@ -103,7 +115,8 @@ class Hdf5Table : public TableWriter {
 
  private:
   // Of the samples' dimensions.
-  std::vector<hsize_t> coordinates(hsize_t wavelength, hsize_t theta_i, hsize_t phi_i, hsize_t theta_s, hsize_t phi_s) const {
+  std::vector<hsize_t> coordinates(hsize_t wavelength, hsize_t theta_i, hsize_t phi_i, hsize_t theta_s,
+                                   hsize_t phi_s) const {
     std::vector<hsize_t> result{theta_i, theta_s, phi_s};
     if (storage_.layout == Layout::contiguous) result.insert(result.begin() + 1, phi_i);
     if (dimensions_.size() == 5) result.insert(result.begin(), wavelength);
@@ -115,22 +128,24 @@ class Hdf5Table : public TableWriter {
     std::vector<std::string> dimensions{"theta_i"};
     if (dimensions_.size() == 5) dimensions.insert(dimensions.begin(), "wavelength");
     for (const auto& integral : integral_variables(bands)) {
-      const Hdf5Handle variable =
-          file_.create_variable(integral.name, dimensions, H5T_IEEE_F64LE, "1", integral.long_name, hdf5_dataset_properties());
-      hdf5_check(H5Dwrite(variable, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, integral.values.data()), path_.string());
+      const Hdf5Handle variable = file_.create_variable(integral.name, dimensions, H5T_IEEE_F64LE, "1",
+                                                        integral.long_name, hdf5_dataset_properties());
+      hdf5_check(H5Dwrite(variable, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, integral.values.data()),
+                 path_.string());
     }
   }
 
-  Hdf5Handle create_brdf(Polarization polarization, const std::string& name, const std::vector<std::string>& dimensions,
-                         const Hdf5Handle& creation) {
-    Hdf5Handle dataset =
-        file_.create_variable(name, dimensions, stored_type(precision_), "sr-1", brdf_long_name(polarization), creation);
+  Hdf5Handle create_brdf(Polarization polarization, const std::string& name,
+                         const std::vector<std::string>& dimensions, const Hdf5Handle& creation) {
+    Hdf5Handle dataset = file_.create_variable(name, dimensions, stored_type(precision_), "sr-1",
+                                               brdf_long_name(polarization), creation);
     brdftab::write_attributes(dataset, rounding_attributes_);
     return dataset;
   }
 
   std::string stored_name(Polarization polarization) const {
-    return fmt::format("{}{}", brdf_name(polarization), storage_.layout == Layout::virtual_view ? "_relative" : "");
+    return fmt::format("{}{}", brdf_name(polarization),
+                       storage_.layout == Layout::virtual_view ? "_relative" : "");
   }
 
   Hdf5Handle create_samples(Polarization polarization) {
@@ -139,8 +154,8 @@ class Hdf5Table : public TableWriter {
 
   void create_view(Polarization polarization, const Grid& grid) {
     const Hdf5Handle creation = hdf5_dataset_properties();
-    set_view(creation, file_.shape_of(dimensions_), stored_name(polarization), file_.shape_of(stored_dimensions_),
-             relative_azimuth(grid.phi_i, grid.phi_s).pieces);
+    set_view(creation, file_.shape_of(dimensions_), stored_name(polarization),
+             file_.shape_of(stored_dimensions_), relative_azimuth(grid.phi_i, grid.phi_s).pieces);
     create_brdf(polarization, std::string(brdf_name(polarization)), dimensions_, creation);
   }
 
@@ -150,8 +165,8 @@ class Hdf5Table : public TableWriter {
     hdf5_check(H5Pset_fill_time(creation, H5D_FILL_TIME_NEVER), "fill time");
     if (chunks_) {
       const Chunk& chunk = chunks_->shape();
-      chunks_->set_filters(creation,
-                           coordinates(1, chunk.theta_i, chunk.phi_i, chunk.theta_s, file_.shape_of(stored_dimensions_).back()));
+      chunks_->set_filters(creation, coordinates(1, chunk.theta_i, chunk.phi_i, chunk.theta_s,
+                                                 file_.shape_of(stored_dimensions_).back()));
     } else {
       hdf5_check(H5Pset_alloc_time(creation, H5D_ALLOC_TIME_EARLY), "allocation time");
     }
@@ -172,9 +187,10 @@ class Hdf5Table : public TableWriter {
 
 }  // namespace
 
-std::unique_ptr<TableWriter> create_hdf5_table(const std::filesystem::path& file, const TableContent& content) {
+std::unique_ptr<TableWriter> create_hdf5_writer(const std::filesystem::path& file,
+                                                const TableContent& content) {
   hdf5_quiet();
-  return std::make_unique<Hdf5Table>(file, content);
+  return std::make_unique<Hdf5Writer>(file, content);
 }
 
 }  // namespace brdftab

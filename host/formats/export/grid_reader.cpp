@@ -1,4 +1,4 @@
-#include "host/formats/export/grid_table.hpp"
+#include "host/formats/export/grid_reader.hpp"
 
 #include <cmath>
 #include <cstdlib>
@@ -18,23 +18,24 @@ double rounded(double value, int digits) {
 
 }  // namespace
 
-std::vector<std::vector<double>> GridTable::evaluate(const Directions& directions) const {
+std::vector<std::vector<double>> GridReader::evaluate(const Directions& directions) const {
   std::vector<std::vector<double>> f;
   for (const GridSamples& samples : samples_)
     for (auto& channel : samples.evaluate(directions)) f.push_back(std::move(channel));
   return f;
 }
 
-std::unique_ptr<ExportedTable> GridTable::rebuilt(const ExportSource& source, ValueErrors& errors) const {
+std::unique_ptr<ExportReader> GridReader::rebuilt(const ExportModel& source, ValueErrors& errors) const {
   if (digits_ < many_digits) errors.set_rounding(5 * std::pow(10, -digits_));
-  auto table = std::make_unique<GridTable>(*this);
+  auto table = std::make_unique<GridReader>(*this);
   table->samples_ = rebuilt(samples_, Polarization::unpolarized, source, errors);
-  for (auto& [polarization, samples] : table->polarized_) samples = rebuilt(samples, polarization, source, errors);
+  for (auto& [polarization, samples] : table->polarized_)
+    samples = rebuilt(samples, polarization, source, errors);
   return table;
 }
 
-std::vector<GridSamples> GridTable::rebuilt(const std::vector<GridSamples>& held, Polarization polarization,
-                                            const ExportSource& source, ValueErrors& errors) const {
+std::vector<GridSamples> GridReader::rebuilt(const std::vector<GridSamples>& held, Polarization polarization,
+                                             const ExportModel& source, ValueErrors& errors) const {
   std::size_t count = 0;
   for (const GridSamples& samples : held) count += samples.values().size();
   check_channels(count, source.bands());
@@ -54,7 +55,8 @@ std::vector<GridSamples> GridTable::rebuilt(const std::vector<GridSamples>& held
         right[k] = rounded(right[k], digits_);
         errors.compare(channel[k], right[k], [&] {
           const std::string name = channel_name(channels(), source, band);
-          return fmt::format("{}{} at {}", brdf_name(polarization), name == "f" ? "" : " of " + name, angles_text(directions, k));
+          return fmt::format("{}{} at {}", brdf_name(polarization), name == "f" ? "" : " of " + name,
+                             angles_text(directions, k));
         });
       }
       ++band;

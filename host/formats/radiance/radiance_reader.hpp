@@ -1,4 +1,5 @@
-// What Radiance makes of a BSDF file: f constant over pairs of Klems patches, or over the cells of a tensor tree.
+// What Radiance makes of a BSDF file: f constant over pairs of Klems patches, or over the cells of a tensor
+// tree.
 #pragma once
 
 #include <array>
@@ -6,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "host/formats/format.hpp"
 #include "host/formats/export/export_text.hpp"
+#include "host/formats/format.hpp"
 #include "host/formats/radiance/tensor_tree.hpp"
 
 namespace brdftab {
@@ -16,11 +17,12 @@ namespace brdftab {
 inline constexpr std::array<std::string_view, 3> radiance_wavelengths{"Visible", "CIE-X", "CIE-Z"};
 
 /// [component][direction] from [band][direction]: luminance alone, or with X and Z.
-std::vector<std::vector<double>> radiance_colours(const ExportSource& source, const std::vector<std::vector<double>>& by_band);
+std::vector<std::vector<double>> radiance_colours(const ExportModel& source,
+                                                  const std::vector<std::vector<double>>& by_band);
 
 /// Matrices as klems_matrix has them, of one component or three.
-std::unique_ptr<ExportedTable> klems_table(Description description, std::vector<std::vector<double>> matrices);
+std::unique_ptr<ExportReader> klems_table(Description description, std::vector<std::vector<double>> matrices);
 
-std::unique_ptr<ExportedTable> tree_table(Description description, TensorTree tree);
+std::unique_ptr<ExportReader> tree_table(Description description, TensorTree tree);
 
 }  // namespace brdftab

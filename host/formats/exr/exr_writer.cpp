@@ -1,4 +1,4 @@
-#include "host/formats/exr/exr_table.hpp"
+#include "host/formats/exr/exr_writer.hpp"
 
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfDoubleAttribute.h>
@@ -16,10 +16,9 @@
 #include <thread>
 
 #include "host/base/error.hpp"
-#include "host/formats/exr/exr_stream.hpp"
-#include "host/base/interrupt.hpp"
 #include "host/base/numbers.hpp"
 #include "host/base/scratch_file.hpp"
+#include "host/formats/exr/exr_stream.hpp"
 #include "host/table/table_attributes.hpp"
 
 namespace brdftab {
@@ -61,9 +60,9 @@ class ScratchFolder {
   fs::path path_;
 };
 
-class ExrTable : public TableWriter {
+class ExrWriter : public TableWriter {
  public:
-  ExrTable(const fs::path& path, const TableContent& content, const ExrOptions& options)
+  ExrWriter(const fs::path& path, const TableContent& content, const ExrOptions& options)
       : path_(path),
         content_(content),
         options_(options),
@@ -72,7 +71,8 @@ class ExrTable : public TableWriter {
         channels_(channels()),
         scratch_(path, scratch_bytes()) {}
 
-  void write(std::size_t polarization, std::size_t band, const Slab& slab, std::span<const std::byte> samples) override {
+  void write(std::size_t polarization, std::size_t band, const Slab& slab,
+             std::span<const std::byte> samples) override {
     const std::size_t slice = slab.theta_i.begin * grid_.phi_i.size() + slab.phi_i.begin;
     const std::size_t row = slice * grid_.theta_s.size() + slab.theta_s.begin;
     const std::size_t channel = band * content_.polarizations.size() + polarization;
@@ -103,8 +103,9 @@ class ExrTable : public TableWriter {
       for (const Polarization polarization : content_.polarizations)
         names.push_back(exr_channel(polarization, band.wavelength_nm));
     if (std::set(names.begin(), names.end()).size() < names.size())
-      throw BadInput("{}: OpenEXR's spectral channels tell wavelengths apart by 1e-6 nm; two bands are nearer",
-                     content_.material.name());
+      throw BadInput(
+          "{}: OpenEXR's spectral channels tell wavelengths apart by 1e-6 nm; two bands are nearer",
+          content_.material.name());
     return names;
   }
 
@@ -114,25 +115,31 @@ class ExrTable : public TableWriter {
   }
 
   void require_representable() const {
-    if (content_.precision != Precision::float32) throw BadInput("OpenEXR holds float32 only: --precision float64 needs HDF5");
+    if (content_.precision != Precision::float32)
+      throw BadInput("OpenEXR holds float32 only: --precision float64 needs HDF5");
     if (options_.layout == ExrLayout::parts && slices_ > most_exr_parts)
       throw BadInput(
-          "{} slices (theta_i x phi_i) are too many for parts of one OpenEXR file: at most {}, as viewers load all of them; "
-          "--exr-layout tiles makes one tiled image, --exr-layout files a file for each slice; HDF5 has no such limit",
+          "{} slices (theta_i x phi_i) are too many for parts of one OpenEXR file: at most {}, as viewers "
+          "load all of them; "
+          "--exr-layout tiles makes one tiled image, --exr-layout files a file for each slice; HDF5 has no "
+          "such limit",
           slices_, most_exr_parts);
     const std::size_t across = options_.layout == ExrLayout::tiles ? grid_.phi_i.size() : 1;
     const std::size_t down = options_.layout == ExrLayout::tiles ? grid_.theta_i.size() : 1;
     const std::size_t width = grid_.phi_s.size() * across;
     const std::size_t height = grid_.theta_s.size() * down;
-    const std::size_t slice_bytes = grid_.phi_s.size() * grid_.theta_s.size() * channels_.size() * sizeof(float);
+    const std::size_t slice_bytes =
+        grid_.phi_s.size() * grid_.theta_s.size() * channels_.size() * sizeof(float);
     if (width > most_pixels || height > most_pixels || slice_bytes > most_pixels)
-      throw BadInput("an image of {} x {} pixels with {} channels is beyond what OpenEXR holds; HDF5 has no such limit", width,
-                     height, channels_.size());
+      throw BadInput(
+          "an image of {} x {} pixels with {} channels is beyond what OpenEXR holds; HDF5 has no such limit",
+          width, height, channels_.size());
   }
 
   Imf::Header header(std::size_t width, std::size_t height) const {
     Imf::Header result(static_cast<int>(width), static_cast<int>(height));
-    result.compression() = options_.compression == ExrCompression::zip ? Imf::ZIP_COMPRESSION : Imf::NO_COMPRESSION;
+    result.compression() =
+        options_.compression == ExrCompression::zip ? Imf::ZIP_COMPRESSION : Imf::NO_COMPRESSION;
     for (const auto& channel : channels_) result.channels().insert(channel, Imf::Channel(Imf::FLOAT));
     const auto text = [&](std::string_view name, std::string_view value) {
       result.insert(prefixed(name), Imf::StringAttribute(std::string(value)));
@@ -162,7 +169,8 @@ class ExrTable : public TableWriter {
   }
 
   void describe_table(Imf::Header& header, const TableFindings& findings) const {
-    insert(header, prefixed("layout"), std::string(exr_layout_names[static_cast<std::size_t>(options_.layout)]));
+    insert(header, prefixed("layout"),
+           std::string(exr_layout_names[static_cast<std::size_t>(options_.layout)]));
     insert(header, prefixed("theta_i"), comma_separated(grid_.theta_i.nodes()));
     insert(header, prefixed("phi_i"), comma_separated(grid_.phi_i.nodes()));
     // CF is netCDF's.
@@ -170,7 +178,8 @@ class ExrTable : public TableWriter {
       if (attribute.name != "Conventions") insert(header, prefixed(attribute.name), attribute.value);
     for (const auto& integral : integral_variables(findings.integrals))
       insert(header, prefixed(integral.name), comma_separated(integral.values));
-    for (const auto& attribute : findings_attributes(findings)) insert(header, prefixed(attribute.name), attribute.value);
+    for (const auto& attribute : findings_attributes(findings))
+      insert(header, prefixed(attribute.name), attribute.value);
   }
 
   std::size_t slice_nodes() const { return grid_.theta_s.size() * grid_.phi_s.size(); }
@@ -181,19 +190,21 @@ class ExrTable : public TableWriter {
     Imf::FrameBuffer buffer;
     for (std::size_t k = 0; k < channels_.size(); ++k) {
       const std::span<float> samples = std::span(samples_).subspan(k * slice_nodes(), slice_nodes());
-      scratch_.read((k * grid_.directions() + slice * slice_nodes()) * sizeof(float), std::as_writable_bytes(samples));
-      buffer.insert(channels_[k],
-                    Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(samples.data()), sizeof(float), row, 1, 1, 0, tile, tile));
+      scratch_.read((k * grid_.directions() + slice * slice_nodes()) * sizeof(float),
+                    std::as_writable_bytes(samples));
+      buffer.insert(channels_[k], Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(samples.data()),
+                                             sizeof(float), row, 1, 1, 0, tile, tile));
     }
     return buffer;
   }
 
-  void write_scanlines(const fs::path& file, const std::vector<Imf::Header>& headers, std::size_t first_slice) {
+  void write_scanlines(const fs::path& file, const std::vector<Imf::Header>& headers,
+                       std::size_t first_slice) {
     ExrStream stream(file);
     {
       Imf::MultiPartOutputFile out(stream, headers.data(), static_cast<int>(headers.size()));
       for (std::size_t k = 0; k < headers.size(); ++k) {
-        stop_if_interrupted();
+        content_.watch.stop_if_asked();
         Imf::OutputPart part(out, static_cast<int>(k));
         part.setFrameBuffer(frame(first_slice + k, false));
         part.writePixels(static_cast<int>(grid_.theta_s.size()));
@@ -228,9 +239,10 @@ class ExrTable : public TableWriter {
   }
 
   void write_tiles(const TableFindings& findings) {
-    Imf::Header whole = header(grid_.phi_s.size() * grid_.phi_i.size(), grid_.theta_s.size() * grid_.theta_i.size());
-    whole.setTileDescription(
-        {static_cast<unsigned>(grid_.phi_s.size()), static_cast<unsigned>(grid_.theta_s.size()), Imf::ONE_LEVEL});
+    Imf::Header whole =
+        header(grid_.phi_s.size() * grid_.phi_i.size(), grid_.theta_s.size() * grid_.theta_i.size());
+    whole.setTileDescription({static_cast<unsigned>(grid_.phi_s.size()),
+                              static_cast<unsigned>(grid_.theta_s.size()), Imf::ONE_LEVEL});
     whole.setType(Imf::TILEDIMAGE);
     describe_table(whole, findings);
     ExrStream stream(path_);
@@ -238,9 +250,10 @@ class ExrTable : public TableWriter {
       Imf::MultiPartOutputFile out(stream, &whole, 1);
       Imf::TiledOutputPart part(out, 0);
       for (std::size_t slice = 0; slice < slices_; ++slice) {
-        stop_if_interrupted();
+        content_.watch.stop_if_asked();
         part.setFrameBuffer(frame(slice, true));
-        part.writeTile(static_cast<int>(slice % grid_.phi_i.size()), static_cast<int>(slice / grid_.phi_i.size()));
+        part.writeTile(static_cast<int>(slice % grid_.phi_i.size()),
+                       static_cast<int>(slice / grid_.phi_i.size()));
       }
     }
     stream.close();
@@ -258,8 +271,9 @@ class ExrTable : public TableWriter {
 
 }  // namespace
 
-std::unique_ptr<TableWriter> create_exr_table(const fs::path& file, const TableContent& content, const ExrOptions& options) {
-  return std::make_unique<ExrTable>(file, content, options);
+std::unique_ptr<TableWriter> create_exr_writer(const fs::path& file, const TableContent& content,
+                                               const ExrOptions& options) {
+  return std::make_unique<ExrWriter>(file, content, options);
 }
 
 }  // namespace brdftab

@@ -1,4 +1,4 @@
-#include "host/formats/radiance/radiance_table.hpp"
+#include "host/formats/radiance/radiance_reader.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,9 +14,9 @@ namespace {
 
 using Channels = std::vector<std::vector<double>>;
 
-class RadianceTable : public ExportedTable {
+class RadianceReader : public ExportReader {
  public:
-  explicit RadianceTable(Description description, std::size_t channels)
+  explicit RadianceReader(Description description, std::size_t channels)
       : description_(std::move(description)), colour_(channels == 3) {}
 
   ExportChannels channels() const override { return colour_ ? ExportChannels::xyz : ExportChannels::bands; }
@@ -47,12 +47,12 @@ PatchValue nearer(const std::vector<double>& held, const Right& right) {
   return off(PatchValue::average) <= off(PatchValue::centre) ? PatchValue::average : PatchValue::centre;
 }
 
-class KlemsTable : public RadianceTable {
+class KlemsReader : public RadianceReader {
  public:
-  KlemsTable(Description description, Channels matrices)
-      : RadianceTable(std::move(description), matrices.size()), matrices_(std::move(matrices)) {}
+  KlemsReader(Description description, Channels matrices)
+      : RadianceReader(std::move(description), matrices.size()), matrices_(std::move(matrices)) {}
 
-  std::unique_ptr<ExportedTable> rebuilt(const ExportSource& source, ValueErrors& errors) const override {
+  std::unique_ptr<ExportReader> rebuilt(const ExportModel& source, ValueErrors& errors) const override {
     std::map<PatchValue, Channels> matrices;
     for (const auto value : {PatchValue::average, PatchValue::centre})
       matrices[value] = radiance_colours(source, klems_matrix(source, value));
@@ -63,11 +63,11 @@ class KlemsTable : public RadianceTable {
       for (std::size_t k = 0; k < right[c].size(); ++k) {
         right[c][k] = std::max(right[c][k], 0.);
         errors.compare(matrices_[c][k], right[c][k], [&] {
-          return fmt::format("{} of the patches {} (incidence) and {} (scatter)", radiance_wavelengths[c], k % klems_patches,
-                             k / klems_patches);
+          return fmt::format("{} of the patches {} (incidence) and {} (scatter)", radiance_wavelengths[c],
+                             k % klems_patches, k / klems_patches);
         });
       }
-    return std::make_unique<KlemsTable>(description(), std::move(right));
+    return std::make_unique<KlemsReader>(description(), std::move(right));
   }
 
   Channels evaluate(const Directions& directions) const override {
@@ -87,23 +87,26 @@ class KlemsTable : public RadianceTable {
   Channels matrices_;
 };
 
-class TreeTable : public RadianceTable {
+class TreeReader : public RadianceReader {
  public:
-  TreeTable(Description description, TensorTree tree) : RadianceTable(std::move(description), 1), tree_(std::move(tree)) {}
+  TreeReader(Description description, TensorTree tree)
+      : RadianceReader(std::move(description), 1), tree_(std::move(tree)) {}
 
   Channels evaluate(const Directions& directions) const override {
     Channels f(1);
-    for (std::size_t k = 0; k < directions.size(); ++k) f[0].push_back(tree_.at(0, tree_point(directions, k)));
+    for (std::size_t k = 0; k < directions.size(); ++k)
+      f[0].push_back(tree_.at(0, tree_point(directions, k)));
     return f;
   }
   std::string interpolation() const override { return "the nearest cell of the tree"; }
 
-  std::unique_ptr<ExportedTable> rebuilt(const ExportSource& source, ValueErrors& errors) const override {
+  std::unique_ptr<ExportReader> rebuilt(const ExportModel& source, ValueErrors& errors) const override {
     check_channels(1, source.bands());
     std::vector<TreeCell> cells;
     for (const TreeCell& cell : tree_.cells()) {
       if (cell.corner[0] >= half_used) continue;
-      if (cell.corner[0] + cell.size > half_used) throw BadInput("the file's tree is not cut at a theta_i of 90 degrees");
+      if (cell.corner[0] + cell.size > half_used)
+        throw BadInput("the file's tree is not cut at a theta_i of 90 degrees");
       cells.push_back(cell);
     }
     TensorTree right = tree_;
@@ -121,7 +124,7 @@ class TreeTable : public RadianceTable {
         });
       }
     }
-    return std::make_unique<TreeTable>(description(), std::move(right));
+    return std::make_unique<TreeReader>(description(), std::move(right));
   }
 
  private:
@@ -129,7 +132,8 @@ class TreeTable : public RadianceTable {
   // Of the first coordinate; an isotropic surface needs no more.
   static constexpr double half_used = 0.5;
 
-  static std::vector<double> right_values(const ExportSource& source, std::span<const TreeCell> cells, PatchValue value) {
+  static std::vector<double> right_values(const ExportModel& source, std::span<const TreeCell> cells,
+                                          PatchValue value) {
     Directions directions;
     std::size_t points = 0;
     for (const TreeCell& cell : cells) {
@@ -146,7 +150,7 @@ class TreeTable : public RadianceTable {
   }
 
   // By some cells all over the cube.
-  PatchValue value_of_cells(const ExportSource& source, const std::vector<TreeCell>& cells) const {
+  PatchValue value_of_cells(const ExportModel& source, const std::vector<TreeCell>& cells) const {
     constexpr std::size_t enough = 2000;
     std::vector<TreeCell> some;
     std::vector<double> held;
@@ -162,19 +166,19 @@ class TreeTable : public RadianceTable {
 
 }  // namespace
 
-Channels radiance_colours(const ExportSource& source, const Channels& by_band) {
+Channels radiance_colours(const ExportModel& source, const Channels& by_band) {
   if (by_band.size() == 1) return by_band;
   auto xyz = source.xyz(by_band);
   std::swap(xyz[0], xyz[1]);
   return xyz;
 }
 
-std::unique_ptr<ExportedTable> klems_table(Description description, Channels matrices) {
-  return std::make_unique<KlemsTable>(std::move(description), std::move(matrices));
+std::unique_ptr<ExportReader> klems_table(Description description, Channels matrices) {
+  return std::make_unique<KlemsReader>(std::move(description), std::move(matrices));
 }
 
-std::unique_ptr<ExportedTable> tree_table(Description description, TensorTree tree) {
-  return std::make_unique<TreeTable>(std::move(description), std::move(tree));
+std::unique_ptr<ExportReader> tree_table(Description description, TensorTree tree) {
+  return std::make_unique<TreeReader>(std::move(description), std::move(tree));
 }
 
 }  // namespace brdftab

@@ -1,4 +1,5 @@
-// What a writer of a simulator's format is given: a material and its f at whatever directions the format's grid has.
+// What a writer of a simulator's format is given: a material and its f at whatever directions the format's
+// grid has.
 #pragma once
 
 #include <memory>
@@ -7,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "host/model/colorimetry.hpp"
 #include "host/compute/opencl/engine.hpp"
-#include "host/model/material.hpp"
 #include "host/compute/sampled_model.hpp"
+#include "host/model/colorimetry.hpp"
+#include "host/model/material.hpp"
 
 namespace brdftab {
 
@@ -22,9 +23,9 @@ struct ExportChoice {
 };
 
 /// Borrows the engine.
-class ExportSource {
+class ExportModel {
  public:
-  ExportSource(const Engine& engine, Material material, ExportChoice choice);
+  ExportModel(const Engine& engine, Material material, ExportChoice choice);
 
   const Material& material() const { return material_; }
   const Grid& grid() const { return choice_.grid; }
@@ -35,8 +36,9 @@ class ExportSource {
   /// Of the bands; empty where the material has none.
   std::vector<double> wavelengths_nm() const;
 
-  /// f in 1/sr, [band][direction], to a relative error of 1e-11 (float32 arithmetic: 1e-5). Directions are the model's;
-  /// surface_vector.hpp has them from vectors. Throws BadInput, which names the direction, where f is not finite.
+  /// f in 1/sr, [band][direction], to a relative error of 1e-11 (float32 arithmetic: 1e-5). Directions are
+  /// the model's; surface_vector.hpp has them from vectors. Throws BadInput, which names the direction, where
+  /// f is not finite.
   std::vector<std::vector<double>> evaluate(const Directions& directions,
                                             Polarization polarization = Polarization::unpolarized) const;
 

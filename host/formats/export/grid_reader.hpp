@@ -5,16 +5,16 @@
 #include <utility>
 #include <vector>
 
-#include "host/formats/format.hpp"
 #include "host/formats/export/grid_samples.hpp"
+#include "host/formats/format.hpp"
 
 namespace brdftab {
 
-class GridTable : public ExportedTable {
+class GridReader : public ExportReader {
  public:
   /// At least one set of samples, of one channel or several; the channels are those of all, in order.
-  GridTable(std::vector<GridSamples> samples, std::vector<double> wavelengths_nm, std::string material_text,
-            std::string interpolation = "linear interpolation between nodes")
+  GridReader(std::vector<GridSamples> samples, std::vector<double> wavelengths_nm, std::string material_text,
+             std::string interpolation = "linear interpolation between nodes")
       : samples_(std::move(samples)),
         wavelengths_nm_(std::move(wavelengths_nm)),
         material_text_(std::move(material_text)),
@@ -28,7 +28,7 @@ class GridTable : public ExportedTable {
   void set_digits(int digits) { digits_ = digits; }
 
   std::vector<std::vector<double>> evaluate(const Directions& directions) const override;
-  std::unique_ptr<ExportedTable> rebuilt(const ExportSource& source, ValueErrors& errors) const override;
+  std::unique_ptr<ExportReader> rebuilt(const ExportModel& source, ValueErrors& errors) const override;
 
   std::vector<double> wavelengths_nm() const override { return wavelengths_nm_; }
   std::string material_text() const override { return material_text_; }
@@ -38,8 +38,8 @@ class GridTable : public ExportedTable {
   AngleRange phi_range() const override { return samples_.front().phi_range(); }
 
  private:
-  std::vector<GridSamples> rebuilt(const std::vector<GridSamples>& held, Polarization polarization, const ExportSource& source,
-                                   ValueErrors& errors) const;
+  std::vector<GridSamples> rebuilt(const std::vector<GridSamples>& held, Polarization polarization,
+                                   const ExportModel& source, ValueErrors& errors) const;
 
   std::vector<GridSamples> samples_;
   std::vector<std::pair<Polarization, std::vector<GridSamples>>> polarized_;

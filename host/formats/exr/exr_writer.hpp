@@ -1,0 +1,30 @@
+// The OpenEXR table of interface.md: a slice for each incidence, x = phi_s, y = theta_s, a pixel for each
+// node.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "host/formats/exr/exr_names.hpp"
+#include "host/table/table_writer.hpp"
+
+namespace brdftab {
+
+/// Both lossless.
+enum class ExrCompression { none, zip };
+
+struct ExrOptions {
+  ExrLayout layout = ExrLayout::parts;
+  ExrCompression compression = ExrCompression::none;
+};
+
+/// Viewers load every part of a file.
+inline constexpr std::size_t most_exr_parts = 1024;
+
+/// A pixel needs all its channels at once, and a header what is known at the end: samples wait in a scratch
+/// file beside `file`, and `finish` writes the table over it, or a folder in its place for ExrLayout::files.
+/// Throws BadInput for what OpenEXR cannot hold, FileError.
+std::unique_ptr<TableWriter> create_exr_writer(const std::filesystem::path& file, const TableContent& content,
+                                               const ExrOptions& options);
+
+}  // namespace brdftab
