@@ -53,9 +53,10 @@ std::string joined(int argc, char** argv) {
   std::string line = "brdftab";
   for (int k = 1; k < argc; ++k) {
     const std::string_view word = argv[k];
-    const bool plain = !word.empty() && word.find_first_not_of(
-                                            "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
-                                            "_-+=:,./%") == std::string_view::npos;
+    const bool plain =
+        !word.empty() &&
+        word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=:,./%") ==
+            std::string_view::npos;
     line += plain ? fmt::format(" {}", word) : fmt::format(" '{}'", word);
   }
   // It stands in one line of files' comments.

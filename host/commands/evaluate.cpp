@@ -46,8 +46,7 @@ void check_finite(const Material& material, const Band& band, std::span<const Di
     if (!std::isfinite(values[k].s) || !std::isfinite(values[k].p))
       throw BadInput(
           "{}:{}: brdf of {} is not finite at theta_i = {}, theta_s = {}, phi = {} degrees: rho_surface = "
-          "{}, rho_bulk "
-          "= {}, rho_retro = {}, w = {} and n = {} make a lobe too narrow there",
+          "{}, rho_bulk = {}, rho_retro = {}, w = {} and n = {} make a lobe too narrow there",
           source, pairs[k].line, material.name(), shortest(pairs[k].theta_i), shortest(pairs[k].theta_s),
           shortest(pairs[k].phi), shortest(band.parameters.rho_surface), shortest(band.parameters.rho_bulk),
           shortest(band.parameters.rho_retro), shortest(band.parameters.w), shortest(band.parameters.n));

@@ -135,8 +135,7 @@ void check_statistics(const Options& options) {
   if (options.floor && options.fit.take_sigma())
     throw BadInput(
         "--floor {}: --weights sigma and --noise take every reading: to leave out those that are measured "
-        "low makes the fitted f "
-        "too high; leave --floor out, or --weights sigma and --noise",
+        "low makes the fitted f too high; leave --floor out, or --weights sigma and --noise",
         shortest(*options.floor));
   if (options.fit.noise && !options.fit.noise->is_given() && options.fit.loss == FitLoss::cauchy)
     throw BadInput(
@@ -212,10 +211,9 @@ std::function<ExitStatus()> fit_command(CLI::App& parser, const CommonOptions& c
   parser
       .add_option("DATA", options->data,
                   "Measurement: CSV with theta_i_deg, theta_s_deg, phi_deg or phi_s_deg, brdf_per_sr (or "
-                  "brdf_s_per_sr and "
-                  "brdf_p_per_sr) and optionally channel, wavelength_nm or wavelength_um, and sigma (or "
-                  "sigma_s and sigma_p); or "
-                  "ALTA text (.alta, .dat), ASTM text (.astm), Zemax tabular BSDF (.bsdf), MERL (.binary)")
+                  "brdf_s_per_sr and brdf_p_per_sr) and optionally channel, wavelength_nm or wavelength_um, "
+                  "and sigma (or sigma_s and sigma_p); or ALTA text (.alta, .dat), ASTM text (.astm), Zemax "
+                  "tabular BSDF (.bsdf), MERL (.binary)")
       ->required();
   parser.add_option("-o,--output", options->output, "Material file to write (TOML)")->required();
   parser.add_option("--channel", options->channel, "The channel to fit, where the measurement has several");
@@ -229,11 +227,9 @@ std::function<ExitStatus()> fit_command(CLI::App& parser, const CommonOptions& c
   parser
       .add_option("--polarization", options->polarization,
                   "The light: unpolarized (default), s, p, or all: s and p fitted together, which tells "
-                  "n_eff from k_eff best. Of CSV "
-                  "it takes the column brdf, brdf_s or brdf_p (or brdf_per_sr, brdf_s_per_sr, "
-                  "brdf_p_per_sr); unpolarised f is the "
-                  "mean of s and p where only those are there. Of other formats, it says what light all "
-                  "values were measured in")
+                  "n_eff from k_eff best. Of CSV it takes the column brdf, brdf_s or brdf_p (or brdf_per_sr, "
+                  "brdf_s_per_sr, brdf_p_per_sr); unpolarised f is the mean of s and p where only those are "
+                  "there. Of other formats, it says what light all values were measured in")
       ->check(CLI::IsMember({"unpolarized", "s", "p", "all"}));
   parser.add_option("--fix", options->fixed, "Hold a parameter: k_eff=0. Repeatable; default: all are free")
       ->type_name("NAME=VALUE");
@@ -256,24 +252,21 @@ std::function<ExitStatus()> fit_command(CLI::App& parser, const CommonOptions& c
   parser
       .add_option("--floor", options->floor,
                   "Leave out samples at or below it, 1/sr; default 0.002. Only for residuals ln(model/data), "
-                  "which suit noise in "
-                  "proportion to f: where noise reaches the readings left out, f and DHR come out too high")
+                  "which suit noise in proportion to f: where noise reaches the readings left out, f and DHR "
+                  "come out too high")
       ->check(CLI::NonNegativeNumber);
   parser
-      .add_option(
-          "--weights", options->weights,
-          "aoi: residuals ln(model/data), each angle of incidence alike (default); uniform: the same, all "
-          "samples alike; "
-          "sigma: residuals (model - data)/sigma over all samples, zero and negative ones too, with the "
-          "column sigma; "
-          "standard errors are those of sigma, times the root of reduced chi-square where that is above 1")
+      .add_option("--weights", options->weights,
+                  "aoi: residuals ln(model/data), each angle of incidence alike (default); uniform: the "
+                  "same, all samples alike; sigma: residuals (model - data)/sigma over all samples, zero and "
+                  "negative ones too, with the column sigma; standard errors are those of sigma, times the "
+                  "root of reduced chi-square where that is above 1")
       ->check(CLI::IsMember({"aoi", "uniform", "sigma"}));
   parser
-      .add_option(
-          "--noise", options->noise,
-          "In place of a column sigma: sigma^2 = (RELATIVE f)^2 + FLOOR^2 with f of the model, as 2%,1e-3 "
-          "(FLOOR in 1/sr), "
-          "all samples kept; either part or both may be `estimated`, by maximum likelihood. Default: none")
+      .add_option("--noise", options->noise,
+                  "In place of a column sigma: sigma^2 = (RELATIVE f)^2 + FLOOR^2 with f of the model, as "
+                  "2%,1e-3 (FLOOR in 1/sr), all samples kept; either part or both may be `estimated`, by "
+                  "maximum likelihood. Default: none")
       ->type_name("RELATIVE,FLOOR");
   parser.add_option("--loss", options->loss, "linear (default) or cauchy, which outliers hardly move")
       ->check(CLI::IsMember({"linear", "cauchy"}));

@@ -231,12 +231,10 @@ std::function<ExitStatus()> generate_command(CLI::App& parser, const CommonOptio
                                 known_formats(format_table(options->exported.formats()))));
   parser.option_defaults()->group(axes_group);
   for (const auto& row : axis_table)
-    parser.add_option(
-        axis_option(row), options->axes[static_cast<std::size_t>(row.kind)],
-        fmt::format(
-            "{}, degrees: start:stop:step, both ends included, or angles separated by commas; default: "
-            "the material's, or {}",
-            row.long_name, row.default_text));
+    parser.add_option(axis_option(row), options->axes[static_cast<std::size_t>(row.kind)],
+                      fmt::format("{}, degrees: start:stop:step, both ends included, or angles separated by "
+                                  "commas; default: the material's, or {}",
+                                  row.long_name, row.default_text));
   parser.option_defaults()->group(dense_group);
   parser
       .add_option("--polarization", options->polarization, "unpolarized (default), s, p, or all: the three")
@@ -246,27 +244,23 @@ std::function<ExitStatus()> generate_command(CLI::App& parser, const CommonOptio
   parser
       .add_option("--compress", options->compress,
                   "deflate or deflate:LEVEL, 1 (default, fastest) to 12: HDF5 chunks, shuffled and deflated, "
-                  "that any reader "
-                  "opens without a plug-in")
+                  "that any reader opens without a plug-in")
       ->type_name("deflate[:LEVEL]");
-  parser.add_option("--keep-bits", options->keep_bits,
-                    "Round each sample to so many explicit mantissa bits, to nearest even: 1 to 23 for "
-                    "float32, to 52 for float64. "
-                    "Relative error at most 2^-(N+1); 12 bits (1.2e-4) compress about three times as well");
+  parser.add_option(
+      "--keep-bits", options->keep_bits,
+      "Round each sample to so many explicit mantissa bits, to nearest even: 1 to 23 for float32, to 52 for "
+      "float64. Relative error at most 2^-(N+1); 12 bits (1.2e-4) compress about three times as well");
   parser
       .add_option("--layout", options->layout,
                   "contiguous (default), or virtual: store f over theta_i, theta_s and phi_s - phi_i, and "
-                  "show the table of four "
-                  "angles as a view of it, smaller by about the number of phi_i; takes even steps of phi_i "
-                  "and phi_s; readers "
-                  "take HDF5 1.10 or later")
+                  "show the table of four angles as a view of it, smaller by about the number of phi_i; "
+                  "takes even steps of phi_i and phi_s; readers take HDF5 1.10 or later")
       ->check(CLI::IsMember({"contiguous", "virtual"}));
   options->interpolation.add(parser);
   parser
       .add_option("--exr-layout", options->exr_layout,
                   "OpenEXR: parts (default; a part for each slice), tiles (one image, a tile for each slice) "
-                  "or files (a folder "
-                  "with a file for each slice)")
+                  "or files (a folder with a file for each slice)")
       ->check(CLI::IsMember(std::vector<std::string>(exr_layout_names.begin(), exr_layout_names.end())));
   parser
       .add_option("--exr-compression", options->exr_compression,

@@ -71,8 +71,7 @@ ExitStatus run(const Options& options, const CommonOptions& common) {
         engine ? reciprocity(band, material.variant()) : reference_reciprocity(band, material.variant());
     text += fmt::format(
         "# reciprocity of {} pairs: median {:.4g}, 90 % {:.4g}, maximum {:.4g} at theta_i = {}, theta_s = "
-        "{}, phi = {} degrees; "
-        "{}\n",
+        "{}, phi = {} degrees; {}\n",
         defect.pairs, defect.median, defect.percentile_90, defect.maximum, defect.theta_i, defect.theta_s,
         defect.phi, reciprocity_grid);
     for (const auto& warning : energy_warnings(material, band, theta_i.nodes(), at.dhr, {polarization}))

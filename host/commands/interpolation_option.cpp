@@ -42,10 +42,9 @@ void print_sizes(GridChooser& chooser, const Material& material, const GridAtErr
 void InterpolationOption::add(CLI::App& parser) {
   parser.add_option(
       "--interpolation-error", error_text_,
-      fmt::format(
-          "Choose the axes, not uniform, so that linear interpolation stays within this, relative to f or {} "
-          "of the slice's peak: 2%, or 0.02. Each axis keeps its first and last node",
-          interpolation_floor));
+      fmt::format("Choose the axes, not uniform, so that linear interpolation stays within this, relative to "
+                  "f or {} of the slice's peak: 2%, or 0.02. Each axis keeps its first and last node",
+                  interpolation_floor));
   parser.add_option("--max-nodes", most_nodes_text_,
                     "Most nodes that --interpolation-error may take; default 1e9");
   parser.add_flag("--dry-run", dry_run_,

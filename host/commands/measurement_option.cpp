@@ -23,8 +23,7 @@ void MeasurementOption::add(CLI::App& parser) {
       parser
           .add_option("--angles", angles_,
                       "Unit of the measurement's angles; default: degrees in csv and zemax, radians in alta "
-                      "and astm. "
-                      "azimuth-radians: theta in degrees, phi in radians")
+                      "and astm. azimuth-radians: theta in degrees, phi in radians")
           ->check(CLI::IsMember(names_of(angle_units))),
       parser
           .add_option("--values", values_,
@@ -39,8 +38,7 @@ void MeasurementOption::add(CLI::App& parser) {
       parser
           .add_option("--wavelength-unit", wavelength_unit_,
                       "Of the measurement's wavelengths, where neither they nor their column (wavelength_um) "
-                      "say it; default nm, "
-                      "with a warning where that is no light's")
+                      "say it; default nm, with a warning where that is no light's")
           ->check(CLI::IsMember(names_of(wavelength_units))),
       parser
           .add_option("--incidence-width", options_.incidence_width,

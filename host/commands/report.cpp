@@ -52,8 +52,7 @@ Subject table_of(const Subject& subject, const Engine& engine, const TemporaryFo
   if (nodes.size() < grid.directions()) {
     origin = fmt::format(
         "It was made for this page, at {} of the {} directions of the material's own grid, spread evenly; "
-        "brdftab generate makes "
-        "the whole as a file.",
+        "brdftab generate makes the whole as a file.",
         nodes.size(), grid.directions());
     say(common, fmt::format("{}: its grid has {} directions; the page has {} of them", subject.file(),
                             grid.directions(), nodes.size()));

@@ -144,8 +144,7 @@ void print_text(const std::string& file, const StoredTable& table, const Validat
   if (found.reciprocity.pairs > 0)
     fmt::print(
         "reciprocity    |ln f(i,s)/f(s,i)| over {} pairs of nodes: median {:.4g}, max {:.4g} at theta_i = "
-        "{}, theta_s = {}, "
-        "phi = {} degrees\n",
+        "{}, theta_s = {}, phi = {} degrees\n",
         found.reciprocity.pairs, found.reciprocity.median, found.reciprocity.maximum,
         shortest(found.reciprocity.theta_i), shortest(found.reciprocity.theta_s),
         shortest(found.reciprocity.phi));
@@ -155,13 +154,15 @@ void print_text(const std::string& file, const StoredTable& table, const Validat
   fmt::print("{}", interpolation_text(found.interpolation));
 }
 
-ExitStatus run(const Options& options) {
+ExitStatus run(const Options& options, const CommonOptions& common) {
   if (const ExportFormat* format = options.exported.format_of(options.table))
-    return options.exported.run(*format, {.file = options.table,
-                                          .directions = options.samples,
-                                          .tolerance = options.validate.tolerance,
-                                          .device = options.device,
-                                          .json = options.json});
+    return options.exported.run(*format,
+                                {.file = options.table,
+                                 .directions = options.samples,
+                                 .tolerance = options.validate.tolerance,
+                                 .device = options.device,
+                                 .json = options.json},
+                                common.watch);
   ValidateOptions selection = options.validate;
   if (options.samples) selection.nodes.random = *options.samples;
   const auto reader = open_table(options.table);
@@ -182,7 +183,7 @@ ExitStatus run(const Options& options) {
 
 }  // namespace
 
-std::function<ExitStatus()> validate_command(CLI::App& parser, const CommonOptions&) {
+std::function<ExitStatus()> validate_command(CLI::App& parser, const CommonOptions& common) {
   auto options = std::make_shared<Options>();
   auto& nodes = options->validate.nodes;
   parser
@@ -190,10 +191,10 @@ std::function<ExitStatus()> validate_command(CLI::App& parser, const CommonOptio
                   "Table file, the folder of an OpenEXR table in files, or a file for a simulator")
       ->required();
   parser
-      .add_option("--samples", options->samples,
-                  "Random nodes, by a fixed seed, for the scalar reference; default 2000. Of a simulator's "
-                  "file: random directions "
-                  "at which its consumer's interpolation is compared with the model; default 10000")
+      .add_option(
+          "--samples", options->samples,
+          "Random nodes, by a fixed seed, for the scalar reference; default 2000. Of a simulator's file: "
+          "random directions at which its consumer's interpolation is compared with the model; default 10000")
       ->check(CLI::Range(std::size_t{0}, std::size_t{10'000'000}));
   parser
       .add_option("--every", nodes.every_row,
@@ -201,19 +202,17 @@ std::function<ExitStatus()> validate_command(CLI::App& parser, const CommonOptio
       ->check(CLI::PositiveNumber);
   parser.add_flag("--all", nodes.all, "Every node, N and DHR against the scalar reference, too");
   parser
-      .add_option("--tolerance", options->validate.tolerance,
-                  "Largest relative error allowed; default: what the table promises (1e-6 in float32, 1e-12 "
-                  "in float64, and the "
-                  "error of rounding that its attributes tell of). Of a simulator's file: the share of f by "
-                  "which it may be off "
-                  "beyond what its format reaches at its resolution: in the median, at 95 % of directions "
-                  "and in the mean of "
-                  "each region, and in each value; default 0.001")
+      .add_option(
+          "--tolerance", options->validate.tolerance,
+          "Largest relative error allowed; default: what the table promises (1e-6 in float32, 1e-12 in "
+          "float64, and the error of rounding that its attributes tell of). Of a simulator's file: the share "
+          "of f by which it may be off beyond what its format reaches at its resolution: in the median, at "
+          "95 % of directions and in the mean of each region, and in each value; default 0.001")
       ->check(CLI::PositiveNumber);
   parser.add_flag("--json", options->json, "As JSON");
   add_device_option(parser, options->device);
   options->exported.add(parser);
-  return [options] { return run(*options); };
+  return [options, &common] { return run(*options, common); };
 }
 
 }  // namespace brdftab

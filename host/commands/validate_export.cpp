@@ -134,8 +134,7 @@ void print_text(const std::string& file, const ExportFormat& format, const Expor
   if (!found.verdict.good()) fmt::print("  fault: {}\n", found.verdict.fault());
   fmt::print(
       "\n|f read - f| / max(f, {} 1/sr), f read by {}\nat directions where the file has samples: theta_i "
-      "{:.6g} to {:.6g}, "
-      "theta_s {:.6g} to {:.6g}, phi {:.6g} to {:.6g} degrees, {:.3g} % of all pairs\n",
+      "{:.6g} to {:.6g}, theta_s {:.6g} to {:.6g}, phi {:.6g} to {:.6g} degrees, {:.3g} % of all pairs\n",
       error_floor, table.interpolation(), drawn.theta_i.first, drawn.theta_i.last, drawn.theta_s.first,
       drawn.theta_s.last, drawn.phi.first, drawn.phi.last, 100 * drawn.share);
   fmt::print("  {:<34} {:<10} {:<10} {:<10} worst at (degrees)\n", "", "median", "95 %", "max");
@@ -186,10 +185,11 @@ ExportModel ExportValidation::source(const Engine& engine, const ExportReader& t
   return ExportModel(engine, std::move(material), {.grid = {}, .illuminant = illuminant, .history = {}});
 }
 
-ExitStatus ExportValidation::run(const ExportFormat& format, const Request& request) const {
+ExitStatus ExportValidation::run(const ExportFormat& format, const Request& request,
+                                 const Watch& watch) const {
   const auto table = format.read(request.file);
   const Device device = select_device(request.device);
-  const Engine engine(device, Engine::widest(device), Precision::float32, common.watch);
+  const Engine engine(device, Engine::widest(device), Precision::float32, watch);
   const Findings found = findings(*table, source(engine, *table, request), request);
   if (request.json)
     fmt::print("{}\n", as_json(request.file, format, *table, found)

@@ -24,7 +24,7 @@ class ExportValidation {
   };
   /// Reports the error of the consumer's own interpolation. Throws Error (exit status 1) where it is beyond
   /// what the format reaches by more than the tolerance.
-  ExitStatus run(const ExportFormat& format, const Request& request) const;
+  ExitStatus run(const ExportFormat& format, const Request& request, const Watch& watch) const;
 
  private:
   ExportModel source(const Engine& engine, const ExportReader& table, const Request& request) const;

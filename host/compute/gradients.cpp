@@ -81,8 +81,7 @@ LogBrdfGradients::LogBrdfGradients(const Engine& engine, std::span<const Directi
       variant.autocovariance != Autocovariance::lorentzian)
     throw BadInput(
         "a fit takes normalization = hemispherical or reciprocal and autocovariance = lorentzian: the others "
-        "have no "
-        "derivatives");
+        "have no derivatives");
   const std::size_t together = group * engine.directions_width();
   padded_ = (pairs.size() + together - 1) / together * together;
   std::vector<double> theta_i(padded_), theta_s(padded_), phi(padded_), shares(padded_), angles;

@@ -63,15 +63,12 @@ std::string text_of(const LowReadingsLeftOut& low, const FitOptions& options) {
   else if (low.fitted_sum > low.measured_sum)
     excess = fmt::format(
         "at theta_i = {} degrees the fitted f is {:.2g} times all readings, those left out included (sums "
-        "weighted by cos "
-        "theta_s "
-        "sin theta_s), and DHR too high by about as much",
+        "weighted by cos theta_s sin theta_s), and DHR too high by about as much",
         shortest(low.theta_i), low.fitted_sum / low.measured_sum);
   return fmt::format(
       "{} of {} samples ({:.0f} %) are left out as not above {} 1/sr: what is kept is too high on average, "
-      "which biases f and "
-      "DHR "
-      "upward: {}; --weights sigma (with a column sigma) and --noise (without) take every reading",
+      "which biases f and DHR upward: {}; --weights sigma (with a column sigma) and --noise (without) take "
+      "every reading",
       low.count, low.all, 100. * static_cast<double>(low.count) / static_cast<double>(low.all),
       shortest(options.floor), excess);
 }

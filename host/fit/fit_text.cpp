@@ -156,10 +156,8 @@ std::string verdict(const FitProblem& problem, const FitSummary& summary) {
   if (!(rms > bad_rms) && !(rms > bad_rms_at_bounds && !at_bounds.empty())) return {};
   return fmt::format(
       "bad fit, not to be used as it is: model and data differ by a factor of {:.2g} (rms of ln(model/data) "
-      "{:.2g}), where real "
-      "surfaces are met within 1.01 to 1.4{}; look at the file's units (--scale), azimuths (--flip-azimuth), "
-      "light "
-      "(--polarization) and outliers (--loss cauchy), and try more --starts",
+      "{:.2g}), where real surfaces are met within 1.01 to 1.4{}; look at the file's units (--scale), "
+      "azimuths (--flip-azimuth), light (--polarization) and outliers (--loss cauchy), and try more --starts",
       std::exp(rms), rms,
       at_bounds.empty() ? ""
                         : fmt::format(", and {} {} at the end of what is allowed", fmt::join(at_bounds, ", "),

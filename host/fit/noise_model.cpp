@@ -13,8 +13,7 @@ namespace {
 
 constexpr std::string_view allowed =
     "must be RELATIVE,FLOOR, the relative noise as 2% or 0.02 and the constant one in 1/sr above 0, either "
-    "of them or both "
-    "`estimated`";
+    "of them or both `estimated`";
 // The search for a logarithm: a grid of this many points, of which the best is refined.
 constexpr int grid_points = 64;
 constexpr int digits = 24;  // binary

@@ -19,8 +19,8 @@ constexpr std::string_view hdf5_signature = "\x89HDF";
 
 constexpr std::string_view directions_text =
     "Unit vectors to the light (i) and to the viewer (o), both away from the surface; phi_d is the "
-    "difference of their azimuths: "
-    "the mirror direction is cos_theta_o = cos_theta_i, phi_d = pi, and retro-reflection is phi_d = 0.";
+    "difference of their azimuths: the mirror direction is cos_theta_o = cos_theta_i, phi_d = pi, and "
+    "retro-reflection is phi_d = 0.";
 constexpr std::string_view grazing_text =
     "The model ends before 90 degrees; nodes at a cosine of 0 hold f at half the cosine of the next node.";
 

@@ -95,11 +95,11 @@ ChannelWeights rgb_weights(const std::vector<double>& wavelengths_nm, Illuminant
 }
 
 std::string_view rgb_convention(Illuminant illuminant) {
-  return illuminant == Illuminant::d65 ? "linear sRGB (Rec. 709) by the CIE 1931 2-degree observer under "
-                                         "D65; f linear between bands, constant beyond"
-                                       : "linear sRGB (Rec. 709) by the CIE 1931 2-degree observer under "
-                                         "equal energy, Bradford-adapted to D65; f linear "
-                                         "between bands, constant beyond";
+  return illuminant == Illuminant::d65
+             ? "linear sRGB (Rec. 709) by the CIE 1931 2-degree observer under D65; f linear between bands, "
+               "constant beyond"
+             : "linear sRGB (Rec. 709) by the CIE 1931 2-degree observer under equal energy, "
+               "Bradford-adapted to D65; f linear between bands, constant beyond";
 }
 
 std::vector<std::vector<double>> weighted(const ChannelWeights& weights,

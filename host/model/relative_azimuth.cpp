@@ -25,8 +25,7 @@ std::vector<double> differences(double phi_i, const Axis& phi_s) {
 [[noreturn]] void refuse(const std::string& why) {
   throw BadInput(
       "--layout virtual: {}; a view takes even steps of phi_i and phi_s that binary numbers hold exactly, "
-      "such as whole degrees, "
-      "0.5 or 0.25, but not 0.1",
+      "such as whole degrees, 0.5 or 0.25, but not 0.1",
       why);
 }
 
@@ -69,8 +68,7 @@ RelativeAzimuth relative_azimuth(const Axis& phi_i, const Axis& phi_s) {
     if (pieces > most_pieces_of_a_row)
       refuse(
           fmt::format("phi_s - phi_i takes {} different values for {} by {} nodes, and those of phi_i = {} "
-                      "are not evenly "
-                      "spaced among them",
+                      "are not evenly spaced among them",
                       axis.size(), phi_i.size(), phi_s.size(), shortest(phi_i[i])));
   }
   return result;

@@ -169,8 +169,7 @@ GenerateSummary generate(std::span<const Engine* const> engines, const Material&
   if (!(findings.accuracy.max_relative_error <= promised))
     throw Error(Fault::check,
                 "{}: not written: a sample differs from the scalar reference by {:.1e}, more than {:.0e}; "
-                "the device or its "
-                "driver is at fault",
+                "the device or its driver is at fault",
                 target.string(), findings.accuracy.max_relative_error, promised);
   engine.watch().stop_if_asked();
   naming(target, [&] { writer->finish(findings); });

@@ -267,12 +267,11 @@ UniformNeed GridChooser::uniform_need(bool uniform_directions) {
 }
 
 std::vector<AttributeInfo> GridChooser::attributes(const GridError& reached) const {
-  return {{"interpolation", fmt::format("axes chosen for linear interpolation: |interpolated - f| / max(f, "
-                                        "{} x the largest f at that theta_i), at "
-                                        "directions that the choice did not use, half of them uniform in the "
-                                        "angles, half near the forward and "
-                                        "the retro-reflecting direction",
-                                        shortest(interpolation_floor))},
+  return {{"interpolation",
+           fmt::format("axes chosen for linear interpolation: |interpolated - f| / max(f, {} x the largest f "
+                       "at that theta_i), at directions that the choice did not use, half of them uniform in "
+                       "the angles, half near the forward and the retro-reflecting direction",
+                       shortest(interpolation_floor))},
           {"interpolation_error_asked", error_},
           {"interpolation_error_reached", reached.maximum},
           {"interpolation_error_95_percent", reached.percentile_95},

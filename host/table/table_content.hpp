@@ -20,11 +20,9 @@ inline constexpr const char* paper_reference =
     "12892 (2008)";
 inline constexpr const char* azimuth_convention =
     "phi = phi_s - phi_i; phi = 0 is the forward (specular) side: the mirror direction is theta_s = theta_i, "
-    "phi = 0, and "
-    "retro-reflection is theta_s = theta_i, phi = 180 degrees. phi_i is the azimuth of the direction in "
-    "which the incident "
-    "light travels; for unit vectors that both point away from the surface, the incident azimuth is phi_i + "
-    "180 degrees.";
+    "phi = 0, and retro-reflection is theta_s = theta_i, phi = 180 degrees. phi_i is the azimuth of the "
+    "direction in which the incident light travels; for unit vectors that both point away from the surface, "
+    "the incident azimuth is phi_i + 180 degrees.";
 
 /// A sample of a table against the scalar reference, measured while the table is made.
 struct Accuracy {

@@ -40,11 +40,10 @@ Device describe_device(cl::Device handle, const std::string& platform_name, std:
 }
 
 [[noreturn]] void no_device(const std::string& cause) {
-  throw Error(
-      Fault::device,
-      "no OpenCL device: {}; install a driver (Debian: pocl-opencl-icd for the CPU, or the GPU's own), and "
-      "unset OCL_ICD_VENDORS and POCL_DEVICES if they hide it",
-      cause);
+  throw Error(Fault::device,
+              "no OpenCL device: {}; install a driver (Debian: pocl-opencl-icd for the CPU, or the GPU's "
+              "own), and unset OCL_ICD_VENDORS and POCL_DEVICES if they hide it",
+              cause);
 }
 
 constexpr std::string_view all_devices = "all";

@@ -24,11 +24,10 @@ extern "C" void on_abort(int) {
 
 void catch_driver_abort() {
   // Never destroyed: an abort may come while the process ends.
-  static const auto* const text =
-      new std::string(fmt::format("brdftab: aborted, with the cause above. PoCL aborts where it cannot "
-                                  "compile a kernel: it takes the linker ld in "
-                                  "PATH (Debian: binutils), and free space in {}\n",
-                                  pocl_cache_folder()));
+  static const auto* const text = new std::string(
+      fmt::format("brdftab: aborted, with the cause above. PoCL aborts where it cannot compile a kernel: it "
+                  "takes the linker ld in PATH (Debian: binutils), and free space in {}\n",
+                  pocl_cache_folder()));
   line = text->data();
   line_length = text->size();
   struct sigaction action {};

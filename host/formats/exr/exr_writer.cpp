@@ -120,9 +120,8 @@ class ExrWriter : public TableWriter {
     if (options_.layout == ExrLayout::parts && slices_ > most_exr_parts)
       throw BadInput(
           "{} slices (theta_i x phi_i) are too many for parts of one OpenEXR file: at most {}, as viewers "
-          "load all of them; "
-          "--exr-layout tiles makes one tiled image, --exr-layout files a file for each slice; HDF5 has no "
-          "such limit",
+          "load all of them; --exr-layout tiles makes one tiled image, --exr-layout files a file for each "
+          "slice; HDF5 has no such limit",
           slices_, most_exr_parts);
     const std::size_t across = options_.layout == ExrLayout::tiles ? grid_.phi_i.size() : 1;
     const std::size_t down = options_.layout == ExrLayout::tiles ? grid_.theta_i.size() : 1;

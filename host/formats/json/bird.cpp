@@ -25,8 +25,7 @@ constexpr std::string_view schema =
 constexpr std::string_view not_stated = "not stated";
 constexpr std::string_view angles_text =
     "Angles are those of vectors that point away from the surface: the mirror direction is theta_r = "
-    "theta_i, phi_r = phi_i + "
-    "180 degrees.";
+    "theta_i, phi_r = phi_i + 180 degrees.";
 
 // Azimuths as the format has them, from 0 to below 360 degrees, each direction once.
 std::vector<double> turned(std::span<const double> azimuths, double by) {

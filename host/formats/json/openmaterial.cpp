@@ -133,10 +133,10 @@ class OpenMaterialFormat : public ExportFormat {
     const std::string origin =
         material.source().empty() ? "" : fmt::format("; parameters from: {}", material.source());
     return {{"name", material.name()},
-            {"description", fmt::format("{}{}f in 1/sr, unpolarised. Angles are of vectors that point away "
-                                        "from the surface: the mirror direction "
-                                        "has an exit azimuth of pi, retro-reflection of 0.",
-                                        material.description(), material.description().empty() ? "" : ". ")},
+            {"description",
+             fmt::format("{}{}f in 1/sr, unpolarised. Angles are of vectors that point away from the "
+                         "surface: the mirror direction has an exit azimuth of pi, retro-reflection of 0.",
+                         material.description(), material.description().empty() ? "" : ". ")},
             {"uuid", uuid_of(material.text())},
             {"materialVersion", "1.0.0"},
             {"openMaterial3dVersion", version},

@@ -170,8 +170,7 @@ class MerlFormat : public ExportFormat {
     parser
         .add_option("--merl-registration", registration_,
                     "center (default): values at the centres of cells, for readers that look cells up; node: "
-                    "at i^2/90, j and k "
-                    "degrees, for libbsdf, which interpolates")
+                    "at i^2/90, j and k degrees, for libbsdf, which interpolates")
         ->check(CLI::IsMember({"center", "node"}));
   }
 

@@ -104,17 +104,15 @@ Measurement read_merl_measurement(std::istream& in, const std::string& source,
   }
   measurement.notes.push_back(fmt::format(
       "{} directions{}, in {} cells: theta_i {} to {} by {}; ln f is interpolated between the centres of "
-      "cells, each the mean "
-      "over about a degree; f is the mean of both orders of light and view, and so is a model's beside it: f "
-      "of one order is not "
-      "in the file, and differs from it the less with --model normalization=reciprocal",
+      "cells, each the mean over about a degree; f is the mean of both orders of light and view, and so is a "
+      "model's beside it: f of one order is not in the file, and differs from it the less with --model "
+      "normalization=reciprocal",
       taken,
       is_in_plane
           ? " in plane"
-          : fmt::format(
-                " over the hemisphere (--merl-samples), drawn with seed {} (--merl-seed), {:.0f} % of them "
-                "uniform in solid angle, the others near the mirror and retro directions",
-                options.merl_seed, 100 * (1 - near_mirror - near_retro)),
+          : fmt::format(" over the hemisphere (--merl-samples), drawn with seed {} (--merl-seed), {:.0f} % "
+                        "of them uniform in solid angle, the others near the mirror and retro directions",
+                        options.merl_seed, 100 * (1 - near_mirror - near_retro)),
       MerlFile::plane, first, largest_theta, step_i));
   if (invalid > 0)
     measurement.warnings.push_back(

@@ -27,8 +27,7 @@ std::string angle_basis() {
   for (const KlemsBand& band : klems_bands)
     text += fmt::format(
         "<AngleBasisBlock><Theta>{}</Theta><nPhis>{}</nPhis><ThetaBounds><LowerTheta>{}</"
-        "LowerTheta><UpperTheta>{}</UpperTheta>"
-        "</ThetaBounds></AngleBasisBlock>\n",
+        "LowerTheta><UpperTheta>{}</UpperTheta></ThetaBounds></AngleBasisBlock>\n",
         band.centre, band.patches, band.first, band.last);
   return text + "</AngleBasis>\n";
 }
@@ -101,14 +100,12 @@ class RadianceFormat : public ExportFormat {
     group
         .add_option("--radiance-basis", basis_,
                     "tree: tensor tree of rank 3, cells cut where f varies (default for one band); klems: "
-                    "matrix of 145 x 145 Klems "
-                    "patches (default for several, as colours)")
+                    "matrix of 145 x 145 Klems patches (default for several, as colours)")
         ->check(CLI::IsMember({"tree", "klems"}));
     group
         .add_option("--radiance-values", values_,
                     "average (default): the mean of f over each cell or pair of patches, which keeps its "
-                    "integrals; centre: f at "
-                    "its centre")
+                    "integrals; centre: f at its centre")
         ->check(CLI::IsMember({"average", "centre"}));
     group.add_option("--radiance-depth", depth_, "Tree: at most 2^N cells across, N of 3 to 9; default 8")
         ->check(CLI::Range(3, 9));
@@ -128,8 +125,7 @@ class RadianceFormat : public ExportFormat {
     if (!klems && source.bands() > 1)
       throw BadInput(
           "--radiance-basis tree: Radiance mixes up the colours of a tensor tree of rank 3; klems holds "
-          "them, and "
-          "--wavelength takes one band");
+          "them, and --wavelength takes one band");
     if (klems) {
       definition = fmt::format("<IncidentDataStructure>Columns</IncidentDataStructure>\n{}", angle_basis());
       const auto value = values_ == "average" ? PatchValue::average : PatchValue::centre;

@@ -98,8 +98,7 @@ class RglFormat : public ExportFormat {
     parser
         .add_option("--rgl-channels", channels_,
                     "rgb: linear sRGB, for Mitsuba's rgb variants (default); spectral: the bands, for its "
-                    "spectral variants and "
-                    "pbrt-v4")
+                    "spectral variants and pbrt-v4")
         ->check(CLI::IsMember({"rgb", "spectral"}));
     const CLI::Range nodes(2, 4096);
     parser.add_option("--rgl-theta-i", resolution_.theta_i, "Nodes of theta_i, the viewer's; default 90")

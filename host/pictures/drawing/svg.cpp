@@ -180,8 +180,7 @@ void Svg::image(const Box& box, std::span<const std::byte> png, std::string_view
 void Svg::clip(const Box& box, double radius) {
   body_ += fmt::format(
       "<clipPath id=\"clip{0}\"><rect x=\"{1:.2f}\" y=\"{2:.2f}\" width=\"{3:.2f}\" height=\"{4:.2f}\" "
-      "rx=\"{5:.2f}\"/></clipPath>"
-      "<g clip-path=\"url(#clip{0})\">\n",
+      "rx=\"{5:.2f}\"/></clipPath><g clip-path=\"url(#clip{0})\">\n",
       clips_++, box.left, box.top, box.width(), box.height(), radius);
 }
 
@@ -196,11 +195,9 @@ std::string Svg::document(std::string_view title, std::string_view data) const {
   for (const auto& rule : rules) style += rule;
   return fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:g}\" height=\"{1:g}\" viewBox=\"0 0 {0:g} "
-      "{1:g}\" role=\"img\" "
-      "font-family=\"Helvetica, Arial, 'Liberation Sans', 'DejaVu Sans', "
-      "sans-serif\">\n<title>{2}</title>\n{3}"
-      "<style>@media (prefers-color-scheme:dark){{{4}}}</style>\n<rect width=\"100%\" height=\"100%\" "
-      "{5}/>\n{6}</svg>\n",
+      "{1:g}\" role=\"img\" font-family=\"Helvetica, Arial, 'Liberation Sans', 'DejaVu Sans', "
+      "sans-serif\">\n<title>{2}</title>\n{3}<style>@media (prefers-color-scheme:dark){{{4}}}</style>\n<rect "
+      "width=\"100%\" height=\"100%\" {5}/>\n{6}</svg>\n",
       width_, height_, xml_escaped(title),
       data.empty() ? "" : fmt::format("<metadata>{}</metadata>\n", xml_escaped(data)), style, background,
       body_);

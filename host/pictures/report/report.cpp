@@ -106,13 +106,11 @@ class Page {
     if (!material.license().empty())
       add("<p class=\"faint\">Licence: {}</p>\n", xml_escaped(material.license()));
     add("<p>A table of the bidirectional reflectance distribution function <i>f</i><sub>r</sub>, in "
-        "sr<sup>−1</sup>, by the "
-        "model of {}. {}</p>\n",
+        "sr<sup>−1</sup>, by the model of {}. {}</p>\n",
         xml_escaped(paper_reference), xml_escaped(origin_));
     for (const auto& fault : table_.table().faults) add("<p class=\"warning\">{}</p>\n", xml_escaped(fault));
     add("<div class=\"scroll\"><table>\n<tr><th>axis</th><th class=\"number\">nodes</th><th "
-        "class=\"number\">from</th>"
-        "<th class=\"number\">to</th><th>meaning</th></tr>\n");
+        "class=\"number\">from</th><th class=\"number\">to</th><th>meaning</th></tr>\n");
     for (const auto& row : axis_table) {
       Grid grid = table_.table().grid;
       const Axis& axis = grid[row.kind];
@@ -154,28 +152,24 @@ class Page {
       scale["colours"].push_back(
           viridis.at(static_cast<double>(k) / static_cast<double>(colour_steps - 1)).hex());
     add("<h2>The hemisphere at each angle of incidence</h2>\n<div class=\"explorer\">\n<div "
-        "class=\"controls\"><label "
-        "for=\"slider\">incidence <i>θ</i><sub>i</sub></label><input id=\"slider\" type=\"range\" min=\"0\" "
-        "step=\"1\"><output "
-        "id=\"theta_i\" for=\"slider\"></output><label>light <select id=\"sets\"></select></label></div>\n"
+        "class=\"controls\"><label for=\"slider\">incidence <i>θ</i><sub>i</sub></label><input id=\"slider\" "
+        "type=\"range\" min=\"0\" "
+        "step=\"1\"><output id=\"theta_i\" for=\"slider\"></output><label>light <select "
+        "id=\"sets\"></select></label></div>\n"
         "<div><canvas id=\"map\" role=\"img\" aria-label=\"Map of the BRDF over the hemisphere\"></canvas>\n"
         "<p id=\"reading\"></p></div>\n"
         "<div><canvas id=\"cut\" role=\"img\" aria-label=\"The BRDF in the plane of incidence\"></canvas>\n"
         "<p class=\"faint\">Point at the map to read <i>f</i><sub>r</sub>. Forward is to the right; the "
         "cross is the mirror direction, the ring retro-reflection; circles are at <i>θ</i><sub>s</sub> = 30° "
-        "and 60°. Drawn from "
-        "the table's own samples, linear in ln <i>f</i> between its nodes, which are the dots of the "
-        "curve.{}</p></div>\n</div>\n",
-        embedded.whole
-            ? ""
-            : fmt::format(
-                  " <b>The table is too large for a page: these are {} of its {} θ<sub>i</sub>, {} of {} "
-                  "θ<sub>s</sub> and {} of {} φ<sub>s</sub>, spread evenly; narrow peaks between them are "
-                  "not seen "
-                  "here.</b>",
-                  embedded.nodes.theta_i.size(), table_.table().grid.theta_i.size(),
-                  embedded.nodes.theta_s.size(), table_.table().grid.theta_s.size(),
-                  embedded.nodes.phi_s.size(), table_.table().grid.phi_s.size()));
+        "and 60°. Drawn from the table's own samples, linear in ln <i>f</i> between its nodes, which are the "
+        "dots of the curve.{}</p></div>\n</div>\n",
+        embedded.whole ? ""
+                       : fmt::format(" <b>The table is too large for a page: these are {} of its {} "
+                                     "θ<sub>i</sub>, {} of {} θ<sub>s</sub> and {} of {} φ<sub>s</sub>, "
+                                     "spread evenly; narrow peaks between them are not seen here.</b>",
+                                     embedded.nodes.theta_i.size(), table_.table().grid.theta_i.size(),
+                                     embedded.nodes.theta_s.size(), table_.table().grid.theta_s.size(),
+                                     embedded.nodes.phi_s.size(), table_.table().grid.phi_s.size()));
     scripts_ = fmt::format(
         "<script type=\"application/json\" id=\"axes\">{}</script>\n<script type=\"application/json\" "
         "id=\"scale\">{}</script>\n"
@@ -268,8 +262,7 @@ class Page {
     row("its θ<sub>s</sub>, degrees", "reciprocity_max_theta_s");
     row("its φ, degrees", "reciprocity_max_phi");
     add("</table></div>\n<p class=\"faint\">A defect is {}: 0.1 is a difference of a tenth between "
-        "<i>f</i><sub>r</sub> and the "
-        "same with light and detector exchanged.</p>\n",
+        "<i>f</i><sub>r</sub> and the same with light and detector exchanged.</p>\n",
         text("reciprocity"));
   }
 
@@ -308,8 +301,7 @@ class Page {
 
   void command() {
     add("<h2>How the table was made</h2>\n<pre class=\"command\">{}</pre>\n<p>{}{}.</p>\n<details "
-        "open><summary>The material "
-        "file</summary>\n<pre>{}</pre></details>\n{}",
+        "open><summary>The material file</summary>\n<pre>{}</pre></details>\n{}",
         text("history"), text("source"),
         text("build_options").empty()
             ? ""

@@ -82,14 +82,12 @@ class Validator {
     if (!misreading.empty())
       fault(
           "{}: read so, the samples are those of the material; as the file stands, {} of {} nodes differ "
-          "from the reference by "
-          "more than {:.1e}: {}",
+          "from the reference by more than {:.1e}: {}",
           misreading, nodes.over_tolerance, nodes.nodes, result_.tolerance, worst);
     else if (share > mostly)
       fault(
           "the samples are not those of the material's text on these axes: {} of {} nodes differ from the "
-          "reference by more than "
-          "{:.1e}: {}",
+          "reference by more than {:.1e}: {}",
           nodes.over_tolerance, nodes.nodes, result_.tolerance, worst);
     else
       fault(
