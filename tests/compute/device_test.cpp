@@ -112,7 +112,7 @@ TEST(Device, WidthOfAWorkItemDoesNotChangeTheBits) {
   const auto pairs = random_pairs(random, 5, 201);
   const auto expected = kernels_on_host::Double::brdf(p, {}, pairs);
   for (const std::size_t width : {1, 2, 4, 8, 16}) {
-    const Engine e(select_device(std::nullopt), Precision::float64, Precision::float32, width);
+    const Engine e(select_device(std::nullopt), Precision::float64, Precision::float32, {}, width);
     const auto f = evaluate(e, {std::nullopt, p}, {}, pairs);
     for (std::size_t j = 0; j < pairs.size(); ++j)
       ASSERT_EQ(f[j].s, expected[j].s) << "width " << width << ", pair " << j;
