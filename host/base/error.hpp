@@ -52,12 +52,12 @@ class BadInput : public Error {
   /// The message is "`FIELD` VALUE: ALLOWED".
   template <class... Args>
   explicit BadInput(GivenValue given, fmt::format_string<Args...> allowed, Args&&... args)
-      : BadInput(std::move(given), fmt::format(allowed, std::forward<Args>(args)...), "") {}
+      : BadInput(std::string(), std::move(given), fmt::format(allowed, std::forward<Args>(args)...)) {}
 
   /// The message is "PLACE: FIELD = VALUE: ALLOWED": a value in a file.
   static BadInput at(const std::string& place, GivenValue given, std::string allowed) {
-    std::string message = fmt::format("{}: {} = {}: {}", place, given.field, given.value, allowed);
-    return BadInput(std::move(given), std::move(allowed), std::move(message));
+    const std::string message = fmt::format("{}: {} = {}: {}", place, given.field, given.value, allowed);
+    return BadInput(message, std::move(given), std::move(allowed));
   }
 
   /// What was refused, where one value was; otherwise empty.
@@ -67,7 +67,7 @@ class BadInput : public Error {
   const std::string& allowed() const { return allowed_; }
 
  private:
-  BadInput(GivenValue given, std::string allowed, std::string message)
+  BadInput(const std::string& message, GivenValue given, std::string allowed)
       : Error(Fault::input,
               message.empty() ? fmt::format("`{}` {}: {}", given.field, given.value, allowed) : message),
         given_(std::move(given)),
