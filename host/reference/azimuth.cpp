@@ -2,7 +2,7 @@
 // width, however small, and V_m near its edge at 90° are features of order one:
 // cos φ = −tanh z, sin φ = dφ/dz = 1/cosh z. The variable is y = z − ln(width), as only
 // that keeps its digits where the width is e^-3000.
-#include "azimuth.hpp"
+#include "host/reference/azimuth.hpp"
 
 #include <algorithm>
 #include <cmath>

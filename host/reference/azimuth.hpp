@@ -2,8 +2,8 @@
 #pragma once
 
 #include "host/model/parameters.hpp"
-#include "polar_path.hpp"
-#include "reflectance_shadowing.hpp"
+#include "host/reference/polar_path.hpp"
+#include "host/reference/reflectance_shadowing.hpp"
 
 namespace brdftab::reference {
 

@@ -1,5 +1,5 @@
 // Directions from degrees and their distances in the surface plane.
-#include "direction.hpp"
+#include "host/reference/direction.hpp"
 
 #include <cmath>
 #include <numbers>

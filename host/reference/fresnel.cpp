@@ -1,7 +1,7 @@
 // Eq. (15) with c = m √(1 − sin²θ/m²) = √(m² − sin²θ), m the complex index. The
 // amplitudes are brought to the forms whose numerators are products, which have
 // no cancellation near m = 1, near Brewster's angle or near the critical angle.
-#include "fresnel.hpp"
+#include "host/reference/fresnel.hpp"
 
 #include <cmath>
 

@@ -3,7 +3,7 @@
 
 #include <complex>
 
-#include "direction.hpp"
+#include "host/reference/direction.hpp"
 
 namespace brdftab::reference {
 

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "model.hpp"
+#include "host/reference/model.hpp"
 
 namespace brdftab::reference {
 namespace {

@@ -1,5 +1,5 @@
 // f of Eqs. (14), (16) from its factors, and the cache of N.
-#include "model.hpp"
+#include "host/reference/model.hpp"
 
 #include <cmath>
 #include <limits>

@@ -5,11 +5,11 @@
 #include <memory>
 #include <vector>
 
-#include "azimuth.hpp"
-#include "fresnel.hpp"
 #include "host/model/parameters.hpp"
-#include "normalization.hpp"
-#include "quadrature.hpp"
+#include "host/reference/azimuth.hpp"
+#include "host/reference/fresnel.hpp"
+#include "host/reference/normalization.hpp"
+#include "host/reference/quadrature.hpp"
 
 namespace brdftab::reference {
 

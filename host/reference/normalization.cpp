@@ -1,6 +1,6 @@
 // The azimuth integral of a lobe is closed, as ρ′ does not depend on φ; what is left
 // is an integral over u = sin²θ_s with a peak at u₀ = sin²θ_i.
-#include "normalization.hpp"
+#include "host/reference/normalization.hpp"
 
 #include <boost/math/special_functions/bessel.hpp>
 

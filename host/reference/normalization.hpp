@@ -3,7 +3,7 @@
 #pragma once
 
 #include "host/model/parameters.hpp"
-#include "polar_path.hpp"
+#include "host/reference/polar_path.hpp"
 
 namespace brdftab::reference {
 

@@ -1,6 +1,6 @@
 // Segments: pole in sin θ_s and horizon in cos θ_s, as V_m and Fresnel are smooth
 // in these; below and above the peak in τ = ln(1 + |u − sin²θ_i|/scale).
-#include "polar_path.hpp"
+#include "host/reference/polar_path.hpp"
 
 #include <algorithm>
 #include <cmath>

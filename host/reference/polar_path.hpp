@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "quadrature.hpp"
-#include "width_shadowing.hpp"
+#include "host/reference/quadrature.hpp"
+#include "host/reference/width_shadowing.hpp"
 
 namespace brdftab::reference {
 

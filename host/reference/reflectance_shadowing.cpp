@@ -1,5 +1,5 @@
 // V_m of Eq. (13). The limits at α = 0 and α₀ = 0 are exact: S = 1 and E₀ = 1.
-#include "reflectance_shadowing.hpp"
+#include "host/reference/reflectance_shadowing.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // V_m, Eq. (13): masking and shadowing of the reflectance.
 #pragma once
 
-#include "direction.hpp"
+#include "host/reference/direction.hpp"
 
 namespace brdftab::reference {
 

@@ -1,6 +1,6 @@
 // V by Boost's regularised incomplete gamma function, by a continued fraction
 // of its logarithm where the function itself underflows.
-#include "width_shadowing.hpp"
+#include "host/reference/width_shadowing.hpp"
 
 #include <boost/math/special_functions/gamma.hpp>
 

@@ -1,7 +1,7 @@
 // V, Eq. (10): masking and shadowing of the surface correlation length.
 #pragma once
 
-#include "direction.hpp"
+#include "host/reference/direction.hpp"
 
 namespace brdftab::reference {
 
