@@ -10,6 +10,7 @@ PROGRAM = os.environ.get("BRDFTAB", "brdftab")
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 MATERIALS = ROOT / "host" / "materials"
 VINYL = MATERIALS / "brown-vinyl.toml"
+GOLDEN = ROOT / "tests" / "golden"
 
 DONE, CHECK_FAILED, BAD_INPUT, DEVICE, FILE, INTERRUPTED = 0, 1, 2, 3, 4, 130
 SMALL_GRID = ["--theta-i", "0:80:20", "--theta-s", "0:88:8", "--phi-s", "0:360:30"]

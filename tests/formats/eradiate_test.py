@@ -10,10 +10,10 @@ import unittest
 import numpy
 import xarray
 
-import reference
+import scalar_reference
 import wheels
 from program import BAD_INPUT, DONE, ROOT, InFolder, run
-from reference import VINYL
+from scalar_reference import VINYL
 
 # A scene under parallel light from one direction, seen from many: f as Eradiate finds it from radiances.
 SIMULATION = """
@@ -61,7 +61,7 @@ class Written(InFolder):
 
 class Simulation(Written):
     def test_golden_direction(self):
-        (theta_i, theta_s, phi), expected = reference.off_plane()
+        (theta_i, theta_s, phi), expected = scalar_reference.off_plane()
         found, = self.simulated(self.written(), theta_i, [(theta_s, phi)])
         self.assertAlmostEqual(found / expected, 1, delta=2e-3)
 
@@ -70,7 +70,7 @@ class Simulation(Written):
         draw = random.Random(5)
         theta_i = math.degrees(math.acos(0.7))
         pairs = [(math.degrees(math.acos(draw.randrange(1, 10) / 10)), 30.0 * draw.randrange(12)) for _ in range(40)]
-        f = reference.brdf(VINYL, [(theta_i, theta_s, phi) for theta_s, phi in pairs])
+        f = scalar_reference.brdf(VINYL, [(theta_i, theta_s, phi) for theta_s, phi in pairs])
         for pair, found, expected in zip(pairs, self.simulated(file, theta_i, pairs), f, strict=True):
             self.assertAlmostEqual(found / expected, 1, delta=10 * ROUNDED, msg=f"theta_s, phi = {pair}")
 
@@ -78,7 +78,7 @@ class Simulation(Written):
         draw = random.Random(5)
         pairs = [(draw.uniform(0, 75), draw.uniform(0, 360)) for _ in range(200)] + [(60, 0), (60, 180)]
         found = self.simulated(self.written(), 60.0, pairs)
-        f = reference.brdf(VINYL, [(60, theta_s, phi) for theta_s, phi in pairs])
+        f = scalar_reference.brdf(VINYL, [(60, theta_s, phi) for theta_s, phi in pairs])
         errors = sorted(abs(a / b - 1) for a, b in zip(found, f, strict=True))
         self.assertLess(errors[100], 2e-3)
         self.assertLess(errors[190], 0.02)
@@ -97,7 +97,7 @@ class Readme(Written):
         self.assertEqual(result.returncode, 0, result.stderr[-2000:])
         found = [float(line.split()[1]) for line in result.stdout.splitlines() if re.match(r"\d", line)]
         # Light from 30 degrees at azimuth 0; negative viewing angles lie opposite.
-        f = reference.brdf(VINYL, [(30, 60, 0), (30, 30, 0), (30, 0, 0), (30, 30, 180), (30, 60, 180)])
+        f = scalar_reference.brdf(VINYL, [(30, 60, 0), (30, 30, 0), (30, 0, 0), (30, 30, 180), (30, 60, 180)])
         for a, b in zip(found, f, strict=True):
             self.assertAlmostEqual(a / b, 1, delta=5e-3)
 
@@ -119,7 +119,7 @@ class Rules(Written):
             nodes += [(0, 20, 45), (45, 20, 0)]  # at a cosine of 0: half way to the next
             theta = [math.degrees(math.acos(max(k, 0.5) / 90)) for k in range(91)]
             # The difference of azimuths away from the surface is 180 degrees at the specular direction.
-            f = reference.brdf(VINYL, [(theta[i], theta[o], 2 * d - 180) for o, d, i in nodes])
+            f = scalar_reference.brdf(VINYL, [(theta[i], theta[o], 2 * d - 180) for o, d, i in nodes])
             for node, expected in zip(nodes, f, strict=True):
                 self.assertAlmostEqual(float(data.brdf[node]) / expected, 1, delta=ROUNDED, msg=f"{node}")
             self.assertEqual(data.attrs["material"], VINYL.read_text())

@@ -2,15 +2,14 @@
 
 import json
 import math
-import random
 import re
 import unittest
 
 import jsonschema
 
-import reference
+import scalar_reference
 from program import BAD_INPUT, DONE, MATERIALS, InFolder, run
-from reference import VINYL
+from scalar_reference import VINYL
 
 SMALL = ["--theta-i", "0,10,35,60", "--theta-s", "0,35,54.38,75.9", "--phi-s", "0,46.38,180,226.38,360"]
 
@@ -118,7 +117,7 @@ class Written(InFolder):
 
     def assert_samples(self, samples, material, tolerance=ROUNDED):
         """(theta_i, theta_s, difference of the azimuths away from the surface, f), in degrees: 180 is specular."""
-        f = reference.brdf(material, [(i, s, azimuth - 180) for i, s, azimuth, _ in samples])
+        f = scalar_reference.brdf(material, [(i, s, azimuth - 180) for i, s, azimuth, _ in samples])
         for sample, expected in zip(samples, f, strict=True):
             self.assertAlmostEqual(sample[3] / expected, 1, delta=tolerance, msg=f"{sample}")
 
@@ -138,7 +137,7 @@ class OpenMaterial(Written):
         self.assert_samples([(*map(math.degrees, row[1:4]), row[4]) for row in table], VINYL)
 
     def test_golden_direction(self):
-        (theta_i, theta_s, phi), expected = reference.off_plane()
+        (theta_i, theta_s, phi), expected = scalar_reference.off_plane()
         wanted = [math.radians(angle) for angle in (theta_i, theta_s, (phi + 180) % 360)]
         found, = [row[4] for row in self.rows(*SMALL)["lookupTable"]
                   if all(abs(a - b) < 1e-6 for a, b in zip(row[1:4], wanted, strict=True))]
@@ -180,7 +179,7 @@ class Bird(Written):
         self.assert_samples(samples, VINYL)
 
     def test_golden_direction(self):
-        (theta_i, theta_s, phi), expected = reference.off_plane()
+        (theta_i, theta_s, phi), expected = scalar_reference.off_plane()
         content = self.written("bird", BIRD, VINYL, *SMALL)
         found, = [f for i, r, azimuth, f in self.samples(content)
                   if (i, r) == (theta_i, theta_s) and abs(math.remainder(azimuth - 180 - phi, 360)) < 1e-9]

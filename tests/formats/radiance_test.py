@@ -10,10 +10,10 @@ import unittest
 
 import numpy
 
-import reference
+import scalar_reference
 import wheels
 from program import BAD_INPUT, DONE, ROOT, InFolder, environment, run
-from reference import SHEETING, VINYL
+from scalar_reference import SHEETING, VINYL
 
 # The library's own perturbation of each cell, which depends on its place, is up to 3e-4.
 PERTURBED = 1e-3
@@ -50,7 +50,7 @@ def directions(pairs):
 def dhr(material, theta_i):
     result = run("integrate", material, "--theta-i", ",".join(map(str, theta_i)))
     assert result.returncode == DONE, result.stderr
-    return [float(row["dhr"]) for row in reference.rows(result.stdout)]
+    return [float(row["dhr"]) for row in scalar_reference.rows(result.stdout)]
 
 
 def disk(a, b):
@@ -94,7 +94,7 @@ class Klems(Written):
         for material in (VINYL, SHEETING):
             file = self.written(material, "--radiance-basis", "klems", "--radiance-values", "centre")
             pairs = [centre for _, _, centre in self.patches(300)]
-            self.assert_luminances(file, pairs, reference.brdf(material, directions(pairs)), PERTURBED)
+            self.assert_luminances(file, pairs, scalar_reference.brdf(material, directions(pairs)), PERTURBED)
 
     def test_averages_are_weighted_by_projected_solid_angles(self):
         file = self.written(VINYL, "--radiance-basis", "klems")
@@ -108,7 +108,7 @@ class Klems(Written):
                 low, high = (math.sin(math.radians(theta))**2 for theta in (first, last))
                 axes.append([math.degrees(math.asin(math.sqrt((low + high + node * (high - low)) / 2))) for node in nodes])
                 axes.append([phi + node * width / 2 for node in nodes])
-            f = reference.brdf(VINYL, directions(itertools.product(*axes)))
+            f = scalar_reference.brdf(VINYL, directions(itertools.product(*axes)))
             over = numpy.prod(list(itertools.product(weights / 2, repeat=4)), axis=1)
             pairs.append(centre)
             expected.append(float(over @ f))
@@ -130,7 +130,7 @@ class Tree(Written):
             radius, phi = disk((a + 0.5) / 8, (b + 0.5) / 8)
             theta_i = math.degrees(math.asin(1 - 2 * (k + 0.5) / 8))
             pairs.append((theta_i, 33, math.degrees(math.asin(radius)), 33 + phi))
-        self.assert_luminances(file, pairs, reference.brdf(VINYL, directions(pairs)), PERTURBED)
+        self.assert_luminances(file, pairs, scalar_reference.brdf(VINYL, directions(pairs)), PERTURBED)
 
     def test_averages(self):
         file = self.written(VINYL, "--radiance-tolerance", "10", "--radiance-depth", "3")
@@ -141,11 +141,11 @@ class Tree(Written):
             corners.append((math.degrees(math.asin(1 - 2 * (i + 0.25) / 8)), 0, math.degrees(math.asin(radius)), phi))
         radius, phi = disk((a + 0.5) / 8, (b + 0.5) / 8)
         centres.append((math.degrees(math.asin(1 - 2 * (k + 0.5) / 8)), 0, math.degrees(math.asin(radius)), phi))
-        f = reference.brdf(VINYL, directions(corners))
+        f = scalar_reference.brdf(VINYL, directions(corners))
         self.assert_luminances(file, centres, [sum(f) / 8], PERTURBED)
 
     def test_golden_direction(self):
-        (theta_i, theta_s, phi), expected = reference.off_plane()
+        (theta_i, theta_s, phi), expected = scalar_reference.off_plane()
         file = self.written(VINYL, "--radiance-tolerance", "0.03")
         self.assert_luminances(file, [(theta_i, 100, theta_s, 100 + phi)], [expected], 0.03)
 
@@ -172,12 +172,12 @@ class Tree(Written):
         flat.write_text(VINYL.read_text() + "".join(f"[[band]]\nwavelength_nm = {w}.0\n" for w in (450, 550, 650)))
         pair = (30, 0, 20, 90)  # centres of patches
         (x, y, z), = radiance(self.written(flat, "--radiance-values", "centre"), [pair])[0]
-        expected, = reference.brdf(VINYL, directions([pair]))
+        expected, = scalar_reference.brdf(VINYL, directions([pair]))
         for value in (x, y, z):
             self.assertAlmostEqual(value / expected, 1, delta=0.015)  # the library stores colours in 16 bits
         (x, y, z), = radiance(self.written(spectrum, "--radiance-values", "centre"), [pair])[0]
         # Z sees the first band, Y the middle one, X the last and a little of the first.
-        blue, green, red = reference.brdf(spectrum, directions([pair]))
+        blue, green, red = scalar_reference.brdf(spectrum, directions([pair]))
         self.assertAlmostEqual(z / blue, 1, delta=0.1)
         self.assertAlmostEqual(y / green, 1, delta=0.2)
         self.assertTrue(red < x < green, (red, x, green))
@@ -193,7 +193,7 @@ class Tree(Written):
             said = json.loads(result.stdout)["uniform"]["median"]
             pairs = [(math.degrees(math.acos(draw.random())), 0, math.degrees(math.acos(draw.random())), draw.uniform(0, 360))
                      for _ in range(400)]
-            f = reference.brdf(VINYL, directions(pairs))
+            f = scalar_reference.brdf(VINYL, directions(pairs))
             errors = sorted(abs(y / value - 1) for (_, y, _), value in zip(radiance(file, pairs)[0], f, strict=True))
             self.assertLess(errors[200], median)
             self.assertAlmostEqual(errors[200] / said, 1, delta=0.25)
@@ -210,7 +210,7 @@ class Tree(Written):
     def test_interpolation_is_within_the_tolerance_asked(self):
         draw = random.Random(3)
         pairs = [(draw.uniform(0, 60), 0, draw.uniform(0, 60), draw.uniform(0, 360)) for _ in range(500)]
-        f = reference.brdf(VINYL, directions(pairs))
+        f = scalar_reference.brdf(VINYL, directions(pairs))
         for tolerance in (0.3, 0.1):
             found = radiance(self.written(VINYL, "--radiance-tolerance", tolerance), pairs)[0]
             errors = sorted(abs(y / value - 1) for (_, y, _), value in zip(found, f, strict=True))
@@ -243,7 +243,7 @@ sun source disk 0 0 4  0.5 0 0.8660254 0.5
         self.assertEqual(traced.returncode, 0, traced.stderr)
         irradiance = 1000 * 2 * math.pi * (1 - math.cos(math.radians(0.25))) * 0.8660254
         # The renderer has the viewer in the place of the light.
-        f = reference.brdf(VINYL, [(30, 30, 0), (30, 30, 180), (0, 30, 0)])
+        f = scalar_reference.brdf(VINYL, [(30, 30, 0), (30, 30, 180), (0, 30, 0)])
         for line, expected in zip(traced.stdout.splitlines(), f, strict=True):
             # Cells differ by 2 %, and the renderer draws directions within one.
             self.assertAlmostEqual(float(line.split()[0]) / irradiance / expected, 1, delta=0.1)

@@ -8,9 +8,9 @@ import numpy
 import xarray
 from scipy.interpolate import RegularGridInterpolator
 
-import reference
+import scalar_reference
 from program import DONE, MATERIALS, ROOT, VINYL, InFolder, run
-from reference import SHEETING
+from scalar_reference import SHEETING
 
 THETA = ["--theta-i", "0:80:10", "--theta-s", "0:85:5"]
 TURN = [*THETA, "--phi-s", "0:360:5"]
@@ -62,7 +62,7 @@ class OfATable(InFolder):
         numpy.testing.assert_allclose(brdf(table, *nodes), table.brdf.values, rtol=ROUNDED)
         some = numpy.random.default_rng(3).choice(nodes[0].size, 50)
         theta_i, phi_i, theta_s, phi_s = (axis.ravel()[some] for axis in nodes)
-        expected = reference.brdf(material, zip(theta_i.tolist(), theta_s.tolist(), (phi_s - phi_i).tolist()))
+        expected = scalar_reference.brdf(material, zip(theta_i.tolist(), theta_s.tolist(), (phi_s - phi_i).tolist()))
         for turn, sign in ((0, 1), (-360, 1), (720, 1), (0, -1)):
             found = brdf(table, theta_i, 70 + phi_i, theta_s, 70 + phi_i + sign * (phi_s - phi_i) + turn)
             numpy.testing.assert_allclose(found, expected, rtol=ROUNDED)
@@ -91,7 +91,7 @@ class Nodes(OfATable):
     def test_polarisations(self):
         table = self.table(*TURN, "--polarization", "all")
         pair = "theta_i_deg,theta_s_deg,phi_deg\n30,60,-110\n"
-        row, = reference.rows(run("evaluate", VINYL, "--engine", "reference", stdin=pair).stdout)
+        row, = scalar_reference.rows(run("evaluate", VINYL, "--engine", "reference", stdin=pair).stdout)
         for name in ("brdf", "brdf_s", "brdf_p"):
             self.assertAlmostEqual(float(brdf(table, 30, 150, 60, 40, name=name)) / float(row[name]), 1, delta=ROUNDED)
         self.assertGreater(abs(float(row["brdf_s"]) / float(row["brdf_p"]) - 1), 0.01)
@@ -138,7 +138,7 @@ class BetweenNodes(OfATable):
                 said = json.loads(run("validate", self.folder / "table.h5", "--json").stdout)["interpolation"]
                 centres = [(axis[1:] + axis[:-1]) / 2 for axis in (table[name].values for name in ("theta_i", "theta_s", "phi_s"))]
                 theta_i, theta_s, phi = (each.ravel()[::37] for each in numpy.meshgrid(*centres, indexing="ij"))
-                model = numpy.array(reference.brdf(VINYL, zip(theta_i.tolist(), theta_s.tolist(), phi.tolist()), "opencl"))
+                model = numpy.array(scalar_reference.brdf(VINYL, zip(theta_i.tolist(), theta_s.tolist(), phi.tolist()), "opencl"))
                 peak = table.brdf.max(("phi_i", "theta_s", "phi_s")).values
                 peak = numpy.minimum(peak[1:], peak[:-1])[numpy.searchsorted(table.theta_i.values, theta_i) - 1]
                 error = abs(brdf(table, theta_i, 17, theta_s, 17 + phi) - model) / numpy.maximum(model, said["floor"] * peak)
@@ -151,7 +151,7 @@ class Bands(OfATable):
         material = MATERIALS / "garnet-red-spectrum.toml"
         table = self.table(*TURN, material=material)
         bands = table.wavelength.values
-        expected = reference.brdf(material, [(30, 40, 100)])
+        expected = scalar_reference.brdf(material, [(30, 40, 100)])
         self.assertEqual(len(expected), len(bands))
         numpy.testing.assert_allclose(brdf(table, 30, 0, 40, -100, wavelength=bands), expected, rtol=ROUNDED)
         between = brdf(table, 30, 0, 40, -100, wavelength=0.75 * bands[0] + 0.25 * bands[1])
