@@ -4,7 +4,7 @@
 
 #include "host/base/numbers.hpp"
 #include "host/commands/command.hpp"
-#include "host/table/table_reader.hpp"
+#include "host/formats/open_table.hpp"
 
 namespace brdftab {
 namespace {
@@ -63,7 +63,7 @@ void print_text(const std::string& name, const TableInfo& info) {
       fmt::print("\nmaterial\n\n{}\n", std::get<std::string>(attribute.value));
 }
 
-nlohmann::ordered_json storage_json(const Hdf5Storage& storage) {
+nlohmann::ordered_json storage_json(const StorageInfo& storage) {
   nlohmann::ordered_json entry{{"layout", storage.layout}};
   if (!storage.chunk.empty()) entry["chunk"] = storage.chunk;
   if (!storage.filters.empty()) entry["filters"] = storage.filters;

@@ -3,7 +3,7 @@
 #include "host/base/error.hpp"
 #include "host/base/numbers.hpp"
 #include "host/formats/format.hpp"
-#include "host/table/table_reader.hpp"
+#include "host/formats/open_table.hpp"
 
 namespace brdftab {
 namespace {

@@ -5,6 +5,7 @@
 #include "host/base/partial_file.hpp"
 #include "host/commands/command.hpp"
 #include "host/formats/hdf5/hdf5_writer.hpp"
+#include "host/formats/open_table.hpp"
 #include "host/pictures/drawing/picture_file.hpp"
 #include "host/pictures/report/embedded_table.hpp"
 #include "host/table/generate.hpp"

@@ -5,6 +5,7 @@
 #include "host/base/numbers.hpp"
 #include "host/commands/command.hpp"
 #include "host/commands/validate_export.hpp"
+#include "host/formats/open_table.hpp"
 
 namespace brdftab {
 namespace {

@@ -7,6 +7,7 @@
 #include "host/base/numbers.hpp"
 #include "host/compute/sampled_model.hpp"
 #include "host/formats/format.hpp"
+#include "host/formats/open_table.hpp"
 
 namespace brdftab {
 namespace {

@@ -1,17 +1,16 @@
 // A table read back from its file, whatever its format.
 #pragma once
 
-#include <filesystem>
-#include <memory>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "host/compute/slab.hpp"
-#include "host/formats/hdf5/hdf5_storage.hpp"
 #include "host/model/polarization.hpp"
 #include "host/table/attribute.hpp"
+#include "host/table/storage_info.hpp"
 
 namespace brdftab {
 
@@ -24,7 +23,7 @@ struct VariableInfo {
   std::string long_name;
   bool is_axis = false;
   std::vector<double> values;  // of variables of one or two dimensions; nan where a value is no number
-  std::optional<Hdf5Storage> storage;  // of variables of an HDF5 file
+  std::optional<StorageInfo> storage;  // none where the format leaves no choice
 };
 
 /// What a file says it holds; nothing of it has been checked against anything else.
@@ -48,13 +47,5 @@ class TableReader {
   virtual void read(Polarization polarization, std::size_t band, const Slab& box,
                     std::span<double> samples) = 0;
 };
-
-/// Opens by the file's first bytes; a folder holds the slices of an OpenEXR table. Throws FileError where it
-/// cannot be read, a truncated one included, and BadInput where it is not a table of this program.
-std::unique_ptr<TableReader> open_table(const std::filesystem::path& path);
-
-/// Whether a file is to be opened as a table: a folder, what is named as one, or begins as HDF5 or OpenEXR
-/// does; "-" is not.
-bool is_table(const std::filesystem::path& file);
 
 }  // namespace brdftab

@@ -76,7 +76,7 @@ class Storage : public testing::Test {
     return {std::istreambuf_iterator<char>(in), {}};
   }
 
-  Hdf5Storage stored(const std::string& name, const std::string& variable) {
+  StorageInfo stored(const std::string& name, const std::string& variable) {
     return open_hdf5_reader(folder_ / name)->info().variable(variable)->storage.value();
   }
 

@@ -6,6 +6,7 @@
 
 #include "host/base/error.hpp"
 #include "host/formats/hdf5/hdf5_handle.hpp"
+#include "host/formats/hdf5/hdf5_storage.hpp"
 
 namespace brdftab {
 namespace {

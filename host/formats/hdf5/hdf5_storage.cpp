@@ -38,11 +38,11 @@ std::string view_of(hid_t creation) {
 
 }  // namespace
 
-Hdf5Storage storage_of(hid_t dataset) {
+StorageInfo storage_of(hid_t dataset) {
   const Hdf5Handle creation(H5Dget_create_plist(dataset), "dataset properties");
   const Hdf5Handle space(H5Dget_space(dataset), "dataset shape");
   const Hdf5Handle type(H5Dget_type(dataset), "dataset type");
-  Hdf5Storage storage{.layout = "other",
+  StorageInfo storage{.layout = "other",
                       .chunk = {},
                       .filters = {},
                       .view_of = {},
@@ -64,16 +64,6 @@ Hdf5Storage storage_of(hid_t dataset) {
       static_cast<double>(H5Sget_simple_extent_npoints(space)) * static_cast<double>(H5Tget_size(type));
   if (storage.bytes > 0) storage.ratio = samples / static_cast<double>(storage.bytes);
   return storage;
-}
-
-std::string Hdf5Storage::text() const {
-  if (layout == "virtual") return fmt::format("a view of {}", view_of);
-  std::string text = layout;
-  if (!chunk.empty()) text += fmt::format(", {} nodes each", fmt::join(chunk, " x "));
-  if (!filters.empty()) text += fmt::format(", {}", fmt::join(filters, ", "));
-  text += fmt::format(": {:.4g} MB", static_cast<double>(bytes) / 1e6);
-  if (!filters.empty()) text += fmt::format(", ratio {:.2f}", ratio);
-  return text;
 }
 
 }  // namespace brdftab
