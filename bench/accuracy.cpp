@@ -6,12 +6,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cstdlib>
-#include <mutex>
-#include <thread>
 
 #include "host/base/error.hpp"
+#include "host/base/parallel.hpp"
 #include "host/commands/exit_status.hpp"
 #include "host/compute/evaluate.hpp"
 #include "host/compute/integrals.hpp"
@@ -78,16 +76,11 @@ std::vector<Case> draw(std::size_t count, unsigned seed) {
 
 // The reference is slow; all cores share it.
 void fill_reference(std::vector<Case>& cases) {
-  std::atomic<std::size_t> next = 0;
-  std::vector<std::jthread> threads;
-  for (unsigned k = 0; k < std::max(1u, std::thread::hardware_concurrency()); ++k)
-    threads.emplace_back([&] {
-      for (std::size_t c = next++; c < cases.size(); c = next++) {
-        const Band band{std::nullopt, cases[c].parameters};
-        cases[c].reference = reference_integrals(band, {}, cases[c].theta);
-        cases[c].f = evaluate_reference(band, {}, cases[c].pairs);
-      }
-    });
+  parallel_for(cases.size(), [&](std::size_t c) {
+    const Band band{std::nullopt, cases[c].parameters};
+    cases[c].reference = reference_integrals(band, {}, cases[c].theta);
+    cases[c].f = evaluate_reference(band, {}, cases[c].pairs);
+  });
 }
 
 void compare(const Engine& engine, const std::vector<Case>& cases) {

@@ -5,8 +5,8 @@
 #include <cstring>
 #include <numeric>
 #include <random>
-#include <thread>
 
+#include "host/base/parallel.hpp"
 #include "host/compute/evaluate.hpp"
 #include "host/compute/plan.hpp"
 #include "host/reference/model.hpp"
@@ -17,13 +17,6 @@ namespace {
 constexpr std::size_t slab_bytes = 16u << 20;
 constexpr std::size_t listed_directions = 1u << 20;
 constexpr std::size_t reference_directions = 4000;
-
-template <class Work>
-void on_all_threads(Work work) {
-  const std::size_t count = std::max(std::thread::hardware_concurrency(), 1u);
-  std::vector<std::jthread> threads;
-  for (std::size_t k = 0; k < count; ++k) threads.emplace_back(work, k, count);
-}
 
 // Buffers of a whole table, so that nothing of it is in a cache when it is written.
 struct DeviceTable {
@@ -106,7 +99,8 @@ std::vector<Workload> device_workloads(const Engine& engine, const Material& mat
       {"memset", "host memset of the dense table's bytes by all threads", "byte", dense->bytes(),
        dense->bytes(),
        [host] {
-         on_all_threads([&](std::size_t k, std::size_t count) {
+         const std::size_t count = hardware_threads();
+         parallel_for(count, [&](std::size_t k) {
            const std::size_t begin = host->size() * k / count;
            std::memset(host->data() + begin, 1, host->size() * (k + 1) / count - begin);
          });
@@ -135,7 +129,7 @@ std::vector<Workload> reference_workloads(const Material& material) {
   // A model for each thread: they would wait for each other's look-ups of N.
   const auto models = std::make_shared<std::vector<reference::Model>>();
   const auto pairs = std::make_shared<std::vector<DirectionPair>>(random_directions(reference_directions));
-  for (std::size_t k = 0; k < std::max(std::thread::hardware_concurrency(), 1u); ++k) {
+  for (std::size_t k = 0; k < hardware_threads(); ++k) {
     models->emplace_back(band.parameters, material.variant());
     // N is left out: a model keeps it from here on.
     for (const auto& pair : *pairs) models->back().brdf(pair.theta_i, pair.theta_s, pair.phi);
@@ -148,7 +142,11 @@ std::vector<Workload> reference_workloads(const Material& material) {
       {"reference", "the scalar reference's f_s and f_p at random directions on one thread, N known",
        "direction", static_cast<double>(pairs->size()), 0, [evaluate_part] { evaluate_part(0, 1); }},
       {"reference, all threads", "the same on all threads", "direction", static_cast<double>(pairs->size()),
-       0, [evaluate_part] { on_all_threads(evaluate_part); }},
+       0,
+       [evaluate_part] {
+         const std::size_t count = hardware_threads();
+         parallel_for(count, [&](std::size_t k) { evaluate_part(k, count); });
+       }},
       {"reference N", "the scalar reference's N of three lobes at one angle on one thread", "value", 3, 0,
        [&band, &material] {
          const reference::Model fresh(band.parameters, material.variant());

@@ -13,10 +13,10 @@
 #include <OpenEXR/ImfTiledOutputPart.h>
 
 #include <set>
-#include <thread>
 
 #include "host/base/error.hpp"
 #include "host/base/numbers.hpp"
+#include "host/base/parallel.hpp"
 #include "host/base/scratch_file.hpp"
 #include "host/formats/exr/exr_stream.hpp"
 #include "host/table/table_attributes.hpp"
@@ -81,7 +81,7 @@ class ExrWriter : public TableWriter {
 
   void finish(const TableFindings& findings) override {
     const bool zip = options_.compression == ExrCompression::zip;
-    Imf::setGlobalThreadCount(zip ? static_cast<int>(std::thread::hardware_concurrency()) : 0);
+    Imf::setGlobalThreadCount(zip ? static_cast<int>(hardware_threads()) : 0);
     samples_.resize(channels_.size() * slice_nodes());
     try {
       if (options_.layout == ExrLayout::parts)

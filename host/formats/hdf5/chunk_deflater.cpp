@@ -9,6 +9,8 @@
 #include <new>
 #include <thread>
 
+#include "host/base/parallel.hpp"
+
 namespace brdftab {
 namespace {
 
@@ -53,8 +55,8 @@ struct ChunkDeflater::Output {
 
 ChunkDeflater::ChunkDeflater(std::size_t chunk_bytes, std::size_t node_bytes, int level)
     : chunk_bytes_(chunk_bytes), node_bytes_(node_bytes) {
-  const unsigned threads = std::max(std::thread::hardware_concurrency(), 1u);
-  for (unsigned k = 0; k < threads; ++k) workers_.push_back(std::make_unique<Worker>(chunk_bytes, level));
+  for (std::size_t k = 0; k < hardware_threads(); ++k)
+    workers_.push_back(std::make_unique<Worker>(chunk_bytes, level));
   bound_ = libdeflate_zlib_compress_bound(workers_.front()->compressor, chunk_bytes);
 }
 

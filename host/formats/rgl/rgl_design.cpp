@@ -1,13 +1,12 @@
 #include "host/formats/rgl/rgl_design.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <functional>
 #include <numbers>
-#include <thread>
 #include <utility>
 
+#include "host/base/parallel.hpp"
 #include "host/formats/format.hpp"
 #include "host/formats/rgl/rgl_ndf.hpp"
 
@@ -65,17 +64,6 @@ struct MirroredPairs {
 };
 
 using Bands = std::vector<std::vector<double>>;  // [band][pair]
-
-/// Runs the work for 0 to count - 1 on all cores.
-void in_parallel(std::size_t count, const std::function<void(std::size_t)>& work) {
-  std::atomic<std::size_t> next = 0;
-  const auto take = [&] {
-    for (std::size_t k; (k = next++) < count;) work(k);
-  };
-  std::vector<std::jthread> threads;
-  for (unsigned k = 1; k < std::thread::hardware_concurrency(); ++k) threads.emplace_back(take);
-  take();
-}
 
 std::vector<float> two_rows(const std::vector<double>& row) {
   std::vector<float> values(row.begin(), row.end());
@@ -154,14 +142,14 @@ class Designer {
     constexpr std::size_t at_once = 8;
     for (std::size_t begin = 0; begin < angles(); begin += at_once) {
       std::vector<MirroredPairs> pairs(std::min(at_once, angles() - begin));
-      in_parallel(pairs.size(), [&](std::size_t k) { pairs[k] = pairs_of(begin + k); });
+      parallel_for(pairs.size(), [&](std::size_t k) { pairs[k] = pairs_of(begin + k); });
       Directions all;
       for (const auto& some : pairs)
         for (const auto angle : {&Directions::theta_i, &Directions::theta_s, &Directions::phi})
           (all.*angle)
               .insert((all.*angle).end(), (some.directions.*angle).begin(), (some.directions.*angle).end());
       const Bands f = source_.evaluate(all);
-      in_parallel(pairs.size(), [&](std::size_t k) {
+      parallel_for(pairs.size(), [&](std::size_t k) {
         const auto count = static_cast<std::ptrdiff_t>(pairs[k].place.size()),
                    first = static_cast<std::ptrdiff_t>(k) * count;
         Bands part;

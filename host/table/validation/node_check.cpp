@@ -1,13 +1,12 @@
 #include "host/table/validation/node_check.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstring>
 #include <limits>
 #include <random>
-#include <thread>
 
+#include "host/base/parallel.hpp"
 #include "host/table/validation/spot_check.hpp"
 
 namespace brdftab {
@@ -151,24 +150,18 @@ double brdf_at(const reference::Model& model, double theta_i, double theta_s, do
 
 void evaluate_nodes(const std::vector<reference::Model>& models, const StoredTable& table,
                     std::span<Node> nodes, const Watch& watch) {
-  std::atomic<std::size_t> next = 0;
-  const auto work = [&] {
-    for (std::size_t begin; (begin = next.fetch_add(nodes_per_task)) < nodes.size();) {
-      if (watch.stop.stop_requested()) return;
-      for (Node& node : nodes.subspan(begin, std::min(nodes_per_task, nodes.size() - begin))) {
-        const auto& [i, p, s, q] = node.index;
-        node.expected =
-            brdf_at(models[node.band], table.grid.theta_i[i], table.grid.theta_s[s],
-                    table.grid.phi_s[q] - table.grid.phi_i[p], table.polarizations[node.polarization]);
-      }
-    }
-  };
-  {
-    std::vector<std::jthread> threads;
-    for (unsigned k = 1; k < std::thread::hardware_concurrency(); ++k) threads.emplace_back(work);
-    work();
-  }
-  watch.stop_if_asked();
+  const auto tasks = pieces({0, nodes.size()}, nodes_per_task);
+  parallel_for(
+      tasks.size(),
+      [&](std::size_t task) {
+        for (Node& node : nodes.subspan(tasks[task].begin, tasks[task].size())) {
+          const auto& [i, p, s, q] = node.index;
+          node.expected =
+              brdf_at(models[node.band], table.grid.theta_i[i], table.grid.theta_s[s],
+                      table.grid.phi_s[q] - table.grid.phi_i[p], table.polarizations[node.polarization]);
+        }
+      },
+      watch.stop);
 }
 
 NodeFindings check_nodes(const Engine& engine, std::vector<Plan>& plans,
