@@ -9,27 +9,11 @@
 
 #include "host/compute/normalization_curve.hpp"
 #include "host/compute/opencl/engine.hpp"
+#include "host/model/directions.hpp"
 #include "host/model/material.hpp"
 #include "host/model/polarization.hpp"
 
 namespace brdftab {
-
-/// Pairs of directions: polar angles and phi = phi_s - phi_i, in degrees.
-struct Directions {
-  std::vector<double> theta_i, theta_s, phi;
-
-  std::size_t size() const { return phi.size(); }
-  void add(double i, double s, double azimuth) {
-    theta_i.push_back(i);
-    theta_s.push_back(s);
-    phi.push_back(azimuth);
-  }
-};
-
-/// A closed range of angles, degrees.
-struct AngleRange {
-  double first, last;
-};
 
 /// The brdfs of a table, one for each band and polarisation, over its ranges of polar angles.
 class SampledModel {

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "host/model/axis.hpp"
-#include "host/table/chunk.hpp"
 
 namespace brdftab {
 
@@ -27,6 +26,14 @@ struct Slab {
   Range theta_s;
   std::size_t phi_s;  // nodes
   std::size_t nodes() const { return theta_i.size() * phi_i.size() * theta_s.size() * phi_s; }
+};
+
+/// Nodes of a chunk along the first three angles; it holds all of phi_s. An axis is cut only where the axes
+/// before it are cut into single nodes, so a chunk, like a slab, is contiguous in the table's order.
+struct Chunk {
+  std::size_t theta_i = 1;
+  std::size_t phi_i = 1;
+  std::size_t theta_s = 1;
 };
 
 /// At most `most` of the indices below `count`, spread evenly, both ends included.

@@ -3,17 +3,40 @@
 #include <cmath>
 #include <numbers>
 
-#include "host/reference/direction.hpp"
-
 namespace brdftab {
+namespace {
 
 constexpr double degrees_per_radian = 180 / std::numbers::pi;
 
+struct SineCosine {
+  long double sine;
+  long double cosine;
+};
+
+// An angle is reduced to [0, 45] degrees before it becomes radians, which is exact, so that cos 90 is 0; the
+// sine of 30 degrees is exact, too.
+SineCosine first_quadrant(long double degrees) {
+  const auto radians = [](long double angle) { return angle * (std::numbers::pi_v<long double> / 180); };
+  const auto sine_below_45 = [&](long double angle) { return angle == 30 ? 0.5L : std::sin(radians(angle)); };
+  const long double rest = 90 - degrees;
+  if (degrees <= 45) return {sine_below_45(degrees), std::cos(radians(degrees))};
+  return {std::cos(radians(rest)), sine_below_45(rest)};
+}
+
+SineCosine sine_and_cosine(double degrees) {
+  const long double turn = std::fmod(std::fabs(static_cast<long double>(degrees)), 360.0L);
+  const long double half_turn = turn > 180 ? 360 - turn : turn;
+  auto [sine, cosine] = first_quadrant(half_turn > 90 ? 180 - half_turn : half_turn);
+  return {(degrees < 0) == (turn >= 180) ? sine : -sine, half_turn > 90 ? -cosine : cosine};
+}
+
+}  // namespace
+
 SurfaceVector SurfaceVector::from_degrees(double theta, double phi) {
-  using reference::cos_degrees, reference::sin_degrees;
-  const auto sine = sin_degrees(theta);
-  return {static_cast<double>(sine * cos_degrees(phi)), static_cast<double>(sine * sin_degrees(phi)),
-          static_cast<double>(cos_degrees(theta))};
+  const SineCosine polar = sine_and_cosine(theta);
+  const SineCosine azimuth = sine_and_cosine(phi);
+  return {static_cast<double>(polar.sine * azimuth.cosine), static_cast<double>(polar.sine * azimuth.sine),
+          static_cast<double>(polar.cosine)};
 }
 
 double SurfaceVector::theta() const { return std::atan2(std::hypot(x, y), z) * degrees_per_radian; }

@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "host/compute/sampled_model.hpp"
+#include "host/model/directions.hpp"
 
 namespace brdftab {
 

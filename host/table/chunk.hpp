@@ -3,17 +3,9 @@
 
 #include <cstddef>
 
-#include "host/model/axis.hpp"
+#include "host/compute/slab.hpp"
 
 namespace brdftab {
-
-/// Nodes of a chunk along the first three angles; it holds all of phi_s. An axis is cut only where the axes
-/// before it are cut into single nodes, so a chunk, like a slab, is contiguous in the table's order.
-struct Chunk {
-  std::size_t theta_i = 1;
-  std::size_t phi_i = 1;
-  std::size_t theta_s = 1;
-};
 
 /// One hemisphere (theta_s, phi_s); several, of neighbouring phi_i and then theta_i, where it is small; some
 /// of its rows where it exceeds 1 MiB, which is what HDF5's readers keep of a dataset by default. A function

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "host/compute/sampled_model.hpp"
 #include "host/model/axis.hpp"
+#include "host/model/directions.hpp"
 
 namespace brdftab {
 

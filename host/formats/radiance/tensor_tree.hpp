@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "host/compute/sampled_model.hpp"
+#include "host/model/directions.hpp"
 
 namespace brdftab {
 
