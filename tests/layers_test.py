@@ -48,10 +48,7 @@ MOST_FILES = 25
 UPWARD = {
     ("host/compute/evaluate.cpp", "host/reference/model.hpp"),
     ("host/compute/integrals.cpp", "host/reference/model.hpp"),
-    ("host/compute/slab.hpp", "host/table/chunk.hpp"),
     ("host/model/measurement/measurement.cpp", "host/formats/text/alta_astm_measurement.hpp"),
-    ("host/model/surface_vector.cpp", "host/reference/direction.hpp"),
-    ("host/model/surface_vector.hpp", "host/compute/sampled_model.hpp"),
     ("host/table/table_reader.cpp", "host/formats/exr/exr_reader.hpp"),
     ("host/table/table_reader.cpp", "host/formats/hdf5/hdf5_reader.hpp"),
     ("host/table/table_reader.hpp", "host/formats/hdf5/hdf5_storage.hpp"),

@@ -3,10 +3,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "host/base/angle.hpp"
+
 namespace brdftab {
 namespace {
-
-constexpr double degrees_per_radian = 180 / std::numbers::pi;
 
 struct SineCosine {
   long double sine;
