@@ -3,18 +3,17 @@
 #pragma once
 
 #include <cmath>
-#include <numbers>
+
+#include "host/base/angle.hpp"
 
 namespace brdftab {
 
-inline constexpr double radian_per_degree = std::numbers::pi / 180;
-
 /// t of a polar angle from 0 to below 90 degrees.
 inline double stretched(double theta) {
-  return std::log((1 + std::sin(theta * radian_per_degree)) / std::sin((90 - theta) * radian_per_degree));
+  return std::log((1 + std::sin(radians(theta))) / std::sin(radians(90 - theta)));
 }
 
 /// The polar angle of t, degrees.
-inline double unstretched(double t) { return 90 - std::asin(1 / std::cosh(t)) / radian_per_degree; }
+inline double unstretched(double t) { return 90 - std::asin(1 / std::cosh(t)) / radians_per_degree; }
 
 }  // namespace brdftab

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "host/base/error.hpp"
+#include "host/base/statistics.hpp"
 #include "host/fit/fit_starts.hpp"
 #include "host/fit/fit_uncertainty.hpp"
 
@@ -50,9 +51,7 @@ std::vector<std::vector<double>> best_points(const std::vector<Minimum>& sorted,
 
 double median_modulus(std::vector<double> values) {
   for (double& value : values) value = std::abs(value);
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+  return median(values);
 }
 
 double update_noise(FitProblem& problem, const Minimum& best) {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 
+#include "host/base/angle.hpp"
 #include "host/base/numbers.hpp"
 
 namespace brdftab {
@@ -39,7 +39,7 @@ std::optional<LowReadingsLeftOut> low_readings_left_out(const Engine& engine, co
     samples.insert(samples.end(), low.begin(), low.end());
     const LogBrdfValues values = problem.values_at(engine, samples, bands[b]);
     for (std::size_t k = 0; k < samples.size(); ++k) {
-      const double theta_s = samples[k].pair.model_theta_s() * std::numbers::pi / 180;
+      const double theta_s = radians(samples[k].pair.model_theta_s());
       const double weight = std::cos(theta_s) * std::sin(theta_s);
       Sums& at = sums[{b, settings.index(samples[k].pair.theta_i)}];
       at.fitted += weight * std::exp(values.ln_f(0)[k]);

@@ -6,6 +6,7 @@
 
 #include "host/base/error.hpp"
 #include "host/base/numbers.hpp"
+#include "host/base/statistics.hpp"
 
 namespace brdftab {
 namespace {
@@ -129,10 +130,9 @@ void FitProblem::guess_sigma() {
     for (const FitBand& band : bands_)
       for (const auto& sample : band.samples) sizes.push_back(std::abs(sample.brdf));
     for (const double size : sizes) mean += size / static_cast<double>(sizes.size());
-    const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-    std::nth_element(sizes.begin(), middle, sizes.end());
+    const double middle = median(sizes);
     noise_ = {.relative = options_.noise->relative.value_or(first_relative_noise),
-              .floor = options_.noise->floor.value_or(first_floor * (*middle > 0 ? *middle : mean))};
+              .floor = options_.noise->floor.value_or(first_floor * (middle > 0 ? middle : mean))};
   }
   for (FitBand& band : bands_)
     for (const auto& sample : band.samples)

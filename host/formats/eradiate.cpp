@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "host/base/angle.hpp"
 #include "host/base/error.hpp"
 #include "host/formats/export/grid_samples.hpp"
 #include "host/formats/hdf5/hdf5_file.hpp"
@@ -13,7 +14,6 @@
 namespace brdftab {
 namespace {
 
-constexpr double degrees = 180 / std::numbers::pi;
 constexpr std::array<const char*, 3> dimensions{"cos_theta_o", "phi_d", "cos_theta_i"};
 constexpr std::string_view hdf5_signature = "\x89HDF";
 
@@ -25,14 +25,14 @@ constexpr std::string_view grazing_text =
     "The model ends before 90 degrees; nodes at a cosine of 0 hold f at half the cosine of the next node.";
 
 // Increasing, as the nodes of an axis are to be.
-double place(double theta) { return 1 - std::cos(theta / degrees); }
+double place(double theta) { return 1 - std::cos(theta / degrees_per_radian); }
 
 // Of the nodes of an axis of places. That of a cosine of 0 stands at half the cosine of the next node.
 std::vector<double> polar_angles(const std::vector<double>& places) {
   std::vector<double> theta;
   for (std::size_t k = 0; k < places.size(); ++k) {
     const double cosine = 1 - places[k];
-    theta.push_back(std::acos(cosine > 0 || k == 0 ? cosine : (1 - places[k - 1]) / 2) * degrees);
+    theta.push_back(degrees(std::acos(cosine > 0 || k == 0 ? cosine : (1 - places[k - 1]) / 2)));
   }
   return theta;
 }
@@ -79,7 +79,7 @@ class EradiateReader : public ExportReader {
  private:
   AngleRange range(AxisKind kind) const {
     const auto [first, last] = samples_.range(kind);
-    return {std::acos(1 - first) * degrees, std::acos(1 - last) * degrees};
+    return {degrees(std::acos(1 - first)), degrees(std::acos(1 - last))};
   }
 
   GridSamples samples_;  // over 1 - cos theta in place of polar angles
@@ -111,7 +111,7 @@ class EradiateFormat : public ExportFormat {
     std::vector<double> cosines, theta, phi_d;
     for (int k = 0; k < cosines_; ++k) cosines.push_back(static_cast<double>(k) / (cosines_ - 1));
     for (const double cosine : cosines)
-      theta.push_back(std::acos(cosine > 0 ? cosine : cosines[1] / 2) * degrees);
+      theta.push_back(degrees(std::acos(cosine > 0 ? cosine : cosines[1] / 2)));
     for (int k = 0; k < azimuths_; ++k) phi_d.push_back(2 * std::numbers::pi * k / azimuths_);
     // f is even in the azimuth: the second half turn repeats the first.
     Directions directions;
@@ -177,7 +177,7 @@ class EradiateFormat : public ExportFormat {
       return result;
     };
     std::vector<double> azimuths, samples;
-    for (const double azimuth : phi_d) azimuths.push_back(azimuth * degrees - 180);
+    for (const double azimuth : phi_d) azimuths.push_back(degrees(azimuth) - 180);
     for (std::size_t i = cosines_i.size(); i-- > 0;)
       for (std::size_t o = cosines_o.size(); o-- > 0;)
         for (std::size_t k = 0; k < phi_d.size(); ++k)

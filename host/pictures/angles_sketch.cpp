@@ -4,14 +4,13 @@
 
 #include <cmath>
 #include <functional>
-#include <numbers>
 
+#include "host/base/angle.hpp"
 #include "host/pictures/drawing/svg.hpp"
 
 namespace brdftab {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
 constexpr double theta_i = 42, theta_s = 60, phi = 58;
 constexpr Ink incident_ink{{0xd5, 0x5e, 0x00}, {0xf0, 0x80, 0x30}};
 constexpr Ink scattered_ink{{0x00, 0x72, 0xb2}, {0x4d, 0xa6, 0xe0}};
@@ -26,9 +25,9 @@ Point seen(double x, double y, double z) {
 }
 
 Point along(double theta, double azimuth, double length) {
-  return seen(length * std::sin(theta * degree) * std::cos(azimuth * degree),
-              length * std::sin(theta * degree) * std::sin(azimuth * degree),
-              length * std::cos(theta * degree));
+  return seen(length * std::sin(radians(theta)) * std::cos(radians(azimuth)),
+              length * std::sin(radians(theta)) * std::sin(radians(azimuth)),
+              length * std::cos(radians(theta)));
 }
 
 std::string curve(double from, double to, const std::function<Point(double)>& at) {
@@ -62,7 +61,7 @@ std::string angles_sketch() {
   arrow(svg, origin, top, inks::frame, 1.2);
   const Point source = along(theta_i, 180, 1.3), mirror = along(theta_i, 0, 1.2),
               out = along(theta_s, phi, 1.35);
-  const Point foot = along(90, phi, 1.35 * std::sin(theta_s * degree));
+  const Point foot = along(90, phi, 1.35 * std::sin(radians(theta_s)));
   arrow(svg, source, origin, incident_ink, 2.4);
   arrow(svg, origin, mirror, incident_ink, 1.4, "6 4");
   arrow(svg, origin, out, scattered_ink, 2.4);

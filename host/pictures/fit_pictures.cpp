@@ -5,8 +5,8 @@
 #include <cmath>
 #include <functional>
 #include <map>
-#include <numbers>
 
+#include "host/base/angle.hpp"
 #include "host/base/error.hpp"
 #include "host/base/numbers.hpp"
 #include "host/base/partial_file.hpp"
@@ -110,7 +110,7 @@ std::string residual_picture(const FitProblem& problem, const FitBand& band,
   std::vector<std::vector<ChartPoint>> points(told_apart.size());
   for (std::size_t k = 0; k < misfits.size(); ++k) {
     const auto& pair = band.samples[k].pair;
-    const bool backward = std::cos(pair.model_phi() * std::numbers::pi / 180) < 0;
+    const bool backward = std::cos(radians(pair.model_phi())) < 0;
     points[told_apart.index(pair.theta_i)].push_back(
         {backward ? -pair.model_theta_s() : pair.model_theta_s(), misfits[k]});
   }

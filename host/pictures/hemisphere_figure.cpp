@@ -5,8 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "host/base/angle.hpp"
+#include "host/base/statistics.hpp"
 #include "host/pictures/drawing/png.hpp"
 #include "host/pictures/drawing/svg.hpp"
 
@@ -14,7 +15,6 @@ namespace brdftab {
 namespace {
 
 constexpr double outermost = 89.9;
-constexpr double degree = std::numbers::pi / 180;
 constexpr double margin = 14;
 constexpr double gap = 22;
 constexpr double head = 62;
@@ -60,8 +60,8 @@ std::optional<DirectionPair> HemispherePixels::direction(double theta_i, std::si
   const double y = 1 - (static_cast<double>(row) + 0.5) * pixel;
   const double radius = std::hypot(x, y);
   if (radius > 1 + 2 * pixel) return std::nullopt;
-  const double theta_s = radius < 1 ? std::min(std::asin(radius) / degree, outermost) : outermost;
-  return DirectionPair{theta_i, theta_s, std::atan2(y, x) / degree, 0};
+  const double theta_s = radius < 1 ? std::min(std::asin(radius) / radians_per_degree, outermost) : outermost;
+  return DirectionPair{theta_i, theta_s, std::atan2(y, x) / radians_per_degree, 0};
 }
 
 std::vector<double> HemispherePixels::values(
@@ -86,9 +86,8 @@ std::vector<double> HemispherePixels::values(
 
 ChartAxis colour_axis(std::string label, std::vector<double> positive) {
   if (positive.empty()) return logarithmic_axis(std::move(label), 0, 0);
-  const auto low = positive.begin() + static_cast<std::ptrdiff_t>(positive.size() / 100);
-  std::nth_element(positive.begin(), low, positive.end());
-  return logarithmic_axis(std::move(label), *low, *std::max_element(low, positive.end()));
+  const double low = percentile(positive, 1);
+  return logarithmic_axis(std::move(label), low, *std::max_element(positive.begin(), positive.end()));
 }
 
 std::string HemisphereFigure::svg() const {
@@ -145,16 +144,16 @@ std::string HemisphereFigure::svg() const {
     svg.end_group();
     svg.begin_group("opacity=\"0.4\"");
     for (const double theta : {30, 60})
-      svg.ring(disc.x, disc.y, radius * std::sin(theta * degree), mark, 0.8);
+      svg.ring(disc.x, disc.y, radius * std::sin(radians(theta)), mark, 0.8);
     svg.line(disc.x - radius, disc.y, disc.x + radius, disc.y, mark, 0.8);
     svg.end_group();
     svg.ring(disc.x, disc.y, radius, inks::frame);
-    cross(svg, disc.alpha(std::sin(map.theta_i * degree)), disc.y);
-    small_ring(svg, disc.alpha(-std::sin(map.theta_i * degree)), disc.y, 4);
+    cross(svg, disc.alpha(std::sin(radians(map.theta_i))), disc.y);
+    small_ring(svg, disc.alpha(-std::sin(radians(map.theta_i))), disc.y, 4);
     if (map.marked) {
-      const double r = std::sin(map.marked->theta_s * degree);
-      const double x = disc.alpha(r * std::cos(map.marked->phi * degree)),
-                   y = disc.beta(r * std::sin(map.marked->phi * degree));
+      const double r = std::sin(radians(map.marked->theta_s));
+      const double x = disc.alpha(r * std::cos(radians(map.marked->phi))),
+                   y = disc.beta(r * std::sin(radians(map.marked->phi)));
       small_ring(svg, x, y, 8);
       small_ring(svg, x, y, 11);
     }

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "host/base/angle.hpp"
 #include "host/base/error.hpp"
 #include "host/pictures/hemisphere_figure.hpp"
 
@@ -13,8 +13,6 @@ namespace {
 constexpr double same_angle = 1e-9;
 constexpr double widest_gap = 90;
 constexpr std::size_t most_nodes = 1 << 27;
-
-constexpr double degree = std::numbers::pi / 180;
 
 std::vector<double> azimuths(const Grid& grid) {
   std::vector<double> phi;
@@ -92,11 +90,11 @@ double TableSlice::at(double theta_s, double phi) const {
 std::vector<double> TableSlice::at_pixels() const {
   const HemispherePixels pixels = HemisphereFigure::pixels();
   const double last = theta_s_.back();
-  const double reach = std::sin(last * degree) + 2.0 / static_cast<double>(pixels.side());
+  const double reach = std::sin(radians(last)) + 2.0 / static_cast<double>(pixels.side());
   return pixels.values(0, [&](std::span<const DirectionPair> pairs) {
     std::vector<double> values;
     for (const DirectionPair& pair : pairs)
-      values.push_back(std::sin(pair.theta_s * degree) < reach ? at(std::min(pair.theta_s, last), pair.phi)
+      values.push_back(std::sin(radians(pair.theta_s)) < reach ? at(std::min(pair.theta_s, last), pair.phi)
                                                                : std::nan(""));
     return values;
   });

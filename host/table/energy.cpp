@@ -7,6 +7,7 @@
 
 #include "host/base/error.hpp"
 #include "host/base/numbers.hpp"
+#include "host/base/statistics.hpp"
 #include "host/compute/evaluate.hpp"
 #include "host/compute/on_host/kernels_on_host.hpp"
 
@@ -45,9 +46,8 @@ Reciprocity defect(const std::vector<DirectionPair>& pairs, const std::vector<Po
   }
   result.pairs = defects.size();
   if (defects.empty()) return result;
-  std::sort(defects.begin(), defects.end());
-  result.median = defects[defects.size() / 2];
-  result.percentile_90 = defects[defects.size() * 9 / 10];
+  result.median = median(defects);
+  result.percentile_90 = percentile(defects, 90);
   return result;
 }
 

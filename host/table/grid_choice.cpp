@@ -5,6 +5,7 @@
 
 #include "host/base/error.hpp"
 #include "host/base/numbers.hpp"
+#include "host/base/statistics.hpp"
 
 namespace brdftab {
 namespace {
@@ -192,8 +193,7 @@ GridError GridChooser::measure(const Axes& axes, const Points& points) const {
   result.uniform_maximum =
       *std::max_element(errors.begin(), errors.begin() + static_cast<std::ptrdiff_t>(count / 2));
   result.maximum = *std::max_element(errors.begin(), errors.end());
-  std::sort(errors.begin(), errors.end());
-  result.percentile_95 = errors[count * 95 / 100];
+  result.percentile_95 = percentile(errors, 95);
   return result;
 }
 

@@ -2,15 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <random>
 
+#include "host/base/angle.hpp"
 #include "host/model/surface_vector.hpp"
 
 namespace brdftab {
 namespace {
 
-constexpr double degrees_per_radian = 180 / std::numbers::pi;
 // A file may go to 90 degrees; the model stops short of them.
 constexpr double largest_theta = 89.9;
 constexpr double nearest_log = -3, furthest = 30;
@@ -53,7 +52,7 @@ class Draw {
   }
   double theta(AngleRange range) {
     if (range.first == range.last) return range.first;
-    return std::acos(between(cosine(range.last), cosine(range.first))) * degrees_per_radian;
+    return degrees(std::acos(between(cosine(range.last), cosine(range.first))));
   }
   /// Of a range of polar angles, as a share of the hemisphere.
   static double solid_angle(AngleRange range) { return cosine(range.first) - cosine(range.last); }

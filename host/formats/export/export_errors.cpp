@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "host/base/error.hpp"
+#include "host/base/statistics.hpp"
 #include "host/model/surface_vector.hpp"
 
 namespace brdftab {
@@ -43,8 +44,8 @@ ConsumerError compare(const std::vector<const ReadValues*>& kinds) {
       }
   result.values = errors.size();
   result.maximum = std::max(result.maximum, 0.);
-  result.median = portion(errors, 0.5);
-  result.percentile_95 = portion(errors, 0.95);
+  result.median = lower_percentile(errors, 50);
+  result.percentile_95 = lower_percentile(errors, 95);
   return result;
 }
 
@@ -55,8 +56,8 @@ std::pair<double, double> spread(const Channels& a, const Channels& b, Of of) {
   for (std::size_t band = 0; band < a.size(); ++band)
     for (std::size_t k = 0; k < a[band].size(); ++k)
       values.push_back(of(std::max(a[band][k], error_floor), std::max(b[band][k], error_floor)));
-  const double median = portion(values, 0.5);
-  return {median, portion(values, 1)};
+  const double median = lower_percentile(values, 50);
+  return {median, lower_percentile(values, 100)};
 }
 
 std::string text(const ConsumerError& error) {
@@ -68,14 +69,6 @@ std::string text(const ConsumerError& error) {
 }
 
 }  // namespace
-
-double portion(std::vector<double>& values, double share) {
-  if (values.empty()) return 0;
-  const auto at =
-      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
-}
 
 ReadExport read_export(const ExportReader& table, const ExportModel& source,
                        const ExportDirections& directions) {

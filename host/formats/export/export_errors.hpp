@@ -50,9 +50,6 @@ struct ExportErrors {
 
 ExportErrors export_errors(const ReadExport& read, const ExportModel& source);
 
-/// The value that a share, 0 to 1, of the values does not exceed; 0 of none. Reorders them.
-double portion(std::vector<double>& values, double share);
-
 /// As many uniform directions as this are drawn, and as many about the peaks, where the user does not say.
 inline constexpr std::size_t default_directions = 10'000;
 

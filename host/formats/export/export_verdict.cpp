@@ -9,6 +9,7 @@
 
 #include "host/base/error.hpp"
 #include "host/base/numbers.hpp"
+#include "host/base/statistics.hpp"
 
 namespace brdftab {
 namespace {
@@ -16,7 +17,7 @@ namespace {
 using Channels = std::vector<std::vector<double>>;
 
 constexpr std::array<double, 5> theta_bounds{0, 30, 60, 80, 90};
-constexpr std::size_t median = 0, percentile_95 = 1, mean = 2;
+constexpr std::size_t at_median = 0, at_percentile_95 = 1, at_mean = 2;
 
 // Where polar angles of directions lie; empty where the name says all.
 struct Region {
@@ -37,7 +38,7 @@ std::array<double, 3> statistics(const Region& region, const std::vector<double>
     sum += f;
   }
   const double share = difference / sum;
-  return {portion(errors, 0.5), portion(errors, 0.95), std::isnan(share) ? INFINITY : share};
+  return {lower_percentile(errors, 50), lower_percentile(errors, 95), std::isnan(share) ? INFINITY : share};
 }
 
 // Where the format's errors are large, f read is up to 1 + reached times f, and values off by the tolerance
@@ -110,10 +111,11 @@ std::string ExportVerdict::fault() const {
   if (worst != regions.end() && worst->statistics[worst->worst()].excess() > 0) {
     const std::size_t k = worst->worst();
     const RegionStatistic& statistic = worst->statistics[k];
-    text = fmt::format("{}{}: f read is off by {} of f in the {}; the format reaches {}, allowed is {}",
-                       worst->name, worst->channel == "f" ? "" : fmt::format(" in {}", worst->channel),
-                       percent(statistic.file), k == percentile_95 ? "95th percentile" : statistic_names[k],
-                       percent(statistic.reached), percent(statistic.allowed));
+    text =
+        fmt::format("{}{}: f read is off by {} of f in the {}; the format reaches {}, allowed is {}",
+                    worst->name, worst->channel == "f" ? "" : fmt::format(" in {}", worst->channel),
+                    percent(statistic.file), k == at_percentile_95 ? "95th percentile" : statistic_names[k],
+                    percent(statistic.reached), percent(statistic.allowed));
   }
   if (values.wrong() > 0)
     text +=
@@ -155,10 +157,10 @@ ExportVerdict export_verdict(const ExportReader& table, const ExportModel& sourc
       const auto file = statistics(region, region.values->read[c], model);
       const auto reached = statistics(region, (*region.rebuilt)[c], model);
       RegionErrors errors{region.name, channel_name(table.channels(), source, c), region.members.size(), {}};
-      for (const std::size_t k : {median, percentile_95})
+      for (const std::size_t k : {at_median, at_percentile_95})
         errors.statistics[k] = {file[k], reached[k], reached[k] + beyond(reached[k], tolerance)};
-      errors.statistics[mean] = {file[mean], reached[mean],
-                                 allowed_mean(file[mean], reached[mean], tolerance)};
+      errors.statistics[at_mean] = {file[at_mean], reached[at_mean],
+                                    allowed_mean(file[at_mean], reached[at_mean], tolerance)};
       verdict.regions.push_back(std::move(errors));
     }
   }

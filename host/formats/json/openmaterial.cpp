@@ -3,8 +3,8 @@
 #include <cmath>
 #include <iterator>
 #include <map>
-#include <numbers>
 
+#include "host/base/angle.hpp"
 #include "host/formats/export/grid_reader.hpp"
 #include "host/formats/export/grid_samples.hpp"
 #include "host/formats/json/json_file.hpp"
@@ -14,7 +14,6 @@
 namespace brdftab {
 namespace {
 
-constexpr double degrees = 180 / std::numbers::pi;
 constexpr double nanometres = 1e9;
 constexpr std::string_view version = "1.0.0";
 constexpr std::string_view schema =
@@ -22,7 +21,7 @@ constexpr std::string_view schema =
     "material_brdf_schema.json";
 
 // Rounded so, a quarter and a whole turn are the largest values that the schema allows.
-double micro_radians(double angle) { return std::round(angle / degrees * 1e6) / 1e6; }
+double micro_radians(double angle) { return std::round(angle / degrees_per_radian * 1e6) / 1e6; }
 
 class OpenMaterialFormat : public ExportFormat {
  public:
@@ -53,7 +52,7 @@ class OpenMaterialFormat : public ExportFormat {
     Directions directions;
     for (const double i : theta_i)
       for (const double s : theta_s)
-        for (const double azimuth : phi) directions.add(i * degrees, s * degrees, azimuth * degrees - 180);
+        for (const double azimuth : phi) directions.add(degrees(i), degrees(s), degrees(azimuth) - 180);
     const auto f = source.evaluate(directions);
     std::vector<std::string> wavelengths;
     for (const double nm : wavelengths_of(source)) wavelengths.push_back(fmt::format("{}", nm / nanometres));
@@ -98,10 +97,10 @@ class OpenMaterialFormat : public ExportFormat {
       for (const auto& row : json.at("brdf").at("lookupTable")) {
         const double wavelength = row.at(0).is_null() ? 0 : row.at(0).get<double>();
         Columns& columns = rows.try_emplace(wavelength, Columns(5)).first->second;
-        columns[0].push_back(row.at(1).get<double>() * degrees);
+        columns[0].push_back(degrees(row.at(1).get<double>()));
         columns[1].push_back(0);
-        columns[2].push_back(row.at(2).get<double>() * degrees);
-        columns[3].push_back(row.at(3).get<double>() * degrees - 180);
+        columns[2].push_back(degrees(row.at(2).get<double>()));
+        columns[3].push_back(degrees(row.at(3).get<double>()) - 180);
         columns[4].push_back(row.at(4).get<double>());
       }
       if (rows.empty()) throw BadInput("{}: lookupTable has no rows", file.string());

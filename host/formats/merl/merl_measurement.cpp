@@ -1,9 +1,9 @@
 // MERL binary files as measurements: between the centres of cells, in plane or over the hemisphere.
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <random>
 
+#include "host/base/angle.hpp"
 #include "host/base/error.hpp"
 #include "host/formats/merl/merl_file.hpp"
 #include "host/formats/text/alta_astm_measurement.hpp"
@@ -47,7 +47,7 @@ class Random {
 std::vector<Direction> over_hemisphere(double theta_i, std::size_t count, Random& random) {
   std::vector<double> below{0};  // the solid angle of rings below each theta_s
   for (int theta_s = step_s; theta_s <= largest_theta; theta_s += step_s)
-    below.push_back(below.back() + std::sin(theta_s * std::numbers::pi / 180));
+    below.push_back(below.back() + std::sin(radians(theta_s)));
   const auto about_mirror = static_cast<std::size_t>(near_mirror * static_cast<double>(count));
   const auto about_retro = static_cast<std::size_t>(near_retro * static_cast<double>(count));
   std::vector<Direction> directions;

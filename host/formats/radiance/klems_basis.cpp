@@ -6,10 +6,11 @@
 #include <map>
 #include <numbers>
 
+#include "host/base/angle.hpp"
+
 namespace brdftab {
 namespace {
 
-constexpr double radians = std::numbers::pi / 180;
 constexpr double step_theta_i = 1, step_theta_s = 0.5;
 constexpr std::size_t azimuths = 181;
 
@@ -18,7 +19,7 @@ struct PolarNode {
   double weight;  // of its band; they add up to 1
 };
 
-double sin2(double theta) { return std::pow(std::sin(theta * radians), 2); }
+double sin2(double theta) { return std::pow(std::sin(radians(theta)), 2); }
 
 std::vector<PolarNode> polar_nodes(const KlemsBand& band, double step) {
   const double count = std::ceil((band.last - band.first) / step), width = (band.last - band.first) / count;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "host/base/error.hpp"
+#include "host/base/statistics.hpp"
 #include "host/formats/radiance/klems_basis.hpp"
 
 namespace brdftab {
@@ -40,9 +41,7 @@ PatchValue nearer(const std::vector<double>& held, const Right& right) {
     const auto wanted = right(value);
     for (std::size_t k = 0; k < held.size(); ++k)
       errors.push_back(std::abs(held[k] - wanted[k]) / std::max(wanted[k], error_floor));
-    const auto middle = errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2);
-    std::nth_element(errors.begin(), middle, errors.end());
-    return *middle;
+    return median(errors);
   };
   return off(PatchValue::average) <= off(PatchValue::centre) ? PatchValue::average : PatchValue::centre;
 }

@@ -8,13 +8,13 @@
 #include <iterator>
 #include <numbers>
 
+#include "host/base/angle.hpp"
 #include "host/base/error.hpp"
 #include "host/base/numbers.hpp"
 
 namespace brdftab {
 namespace {
 
-constexpr double degrees = 180 / std::numbers::pi;
 constexpr std::size_t eighths = 8;
 constexpr int coarsest_level = 3;
 constexpr std::size_t cells_at_once = 1 << 15;
@@ -62,16 +62,16 @@ TreePoint moved(const TreePoint& point, double by) { return {point[0] + by, poin
 
 void add(Directions& directions, const TreePoint& point) {
   const Square disk = disk_from_square({point[1], point[2]});
-  directions.add(std::asin(1 - 2 * point[0]) * degrees, std::asin(std::hypot(disk.a, disk.b)) * degrees,
-                 std::atan2(disk.b, disk.a) * degrees);
+  directions.add(degrees(std::asin(1 - 2 * point[0])), degrees(std::asin(std::hypot(disk.a, disk.b))),
+                 degrees(std::atan2(disk.b, disk.a)));
 }
 
 TreePoint tree_point(const Directions& directions, std::size_t k) {
-  const Square square =
-      square_from_polar(std::sin(directions.theta_s[k] / degrees), directions.phi[k] / degrees);
+  const Square square = square_from_polar(std::sin(directions.theta_s[k] / degrees_per_radian),
+                                          directions.phi[k] / degrees_per_radian);
   // The half of the cube that is used ends below 1/2.
-  return {std::min(0.5 - 0.5 * std::sin(directions.theta_i[k] / degrees), std::nextafter(0.5, 0.)), square.a,
-          square.b};
+  return {std::min(0.5 - 0.5 * std::sin(directions.theta_i[k] / degrees_per_radian), std::nextafter(0.5, 0.)),
+          square.a, square.b};
 }
 
 void TensorTree::cut(std::size_t node) {

@@ -1,7 +1,7 @@
 // The adaptive tables of the RGL material database, for the `measured` materials of Mitsuba 3 and pbrt-v4.
 #include <algorithm>
-#include <numbers>
 
+#include "host/base/angle.hpp"
 #include "host/base/error.hpp"
 #include "host/formats/export/export_text.hpp"
 #include "host/formats/registry.hpp"
@@ -10,8 +10,6 @@
 
 namespace brdftab {
 namespace {
-
-constexpr double radians = std::numbers::pi / 180;
 
 // Consumers count a table's values in 32 bits, and hold it several times over.
 constexpr std::size_t most_bytes = 4'000'000'000;
@@ -28,7 +26,7 @@ class RglReader : public ExportReader {
     for (std::size_t k = 0; k < directions.size(); ++k) {
       const SurfaceVector i = to_viewer(directions, k), o = to_light(directions, k);
       const SquarePoint half = RglPlace::of((i + o).normalized(), i.phi());
-      const AxisPlace theta_i(content_.theta_i, i.theta() * radians);
+      const AxisPlace theta_i(content_.theta_i, radians(i.theta()));
       const SquarePoint s = vndf_.invert(theta_i, half).point;
       const double scale = ndf.at(0, half) / (4 * sigma.at(0, {RglPlace::of_theta(i.theta()), 0.5}) * o.z);
       const auto slice = [&](std::size_t node, std::size_t channel) {
@@ -53,15 +51,15 @@ class RglReader : public ExportReader {
   }
   // The file's theta_i is the viewer's.
   AngleRange theta_s_range() const override {
-    return {content_.theta_i.front() / radians, content_.theta_i.back() / radians};
+    return {content_.theta_i.front() / radians_per_degree, content_.theta_i.back() / radians_per_degree};
   }
 
   std::unique_ptr<ExportReader> rebuilt(const ExportModel& source, ValueErrors& errors) const override {
     RglDesign right = resampled_rgl(source, content_);
     const std::size_t n = content_.samples, square = n * n;
     const auto place = [&](std::size_t i, std::size_t k) {
-      return fmt::format("theta_i = {:.6g} degrees, node {}, {}", content_.theta_i[i] / radians, k / n,
-                         k % n);
+      return fmt::format("theta_i = {:.6g} degrees, node {}, {}", content_.theta_i[i] / radians_per_degree,
+                         k / n, k % n);
     };
     for (std::size_t i = 0; i < content_.theta_i.size(); ++i)
       for (std::size_t k = 0; k < square; ++k) {

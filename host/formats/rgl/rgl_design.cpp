@@ -3,17 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <numbers>
 #include <utility>
 
+#include "host/base/angle.hpp"
 #include "host/base/parallel.hpp"
 #include "host/formats/format.hpp"
 #include "host/formats/rgl/rgl_ndf.hpp"
 
 namespace brdftab {
 namespace {
-
-constexpr double degrees = 180 / std::numbers::pi;
 
 constexpr double last_theta_i = 89.9;
 // f here stands for its limit at the horizon, where the model ends.
@@ -101,7 +99,7 @@ class Designer {
     content_.vndf_columns = resolution.warp_theta;
     for (std::size_t i = 0; i < resolution.theta_i; ++i)
       content_.theta_i.push_back(
-          static_cast<float>(last_theta_i / degrees * place_of(i, resolution.theta_i)));
+          static_cast<float>(last_theta_i / degrees_per_radian * place_of(i, resolution.theta_i)));
     if (!rgb_)
       for (const double wavelength : source_.wavelengths_nm())
         content_.wavelengths_nm.push_back(static_cast<float>(wavelength));
@@ -133,7 +131,7 @@ class Designer {
  private:
   std::size_t angles() const { return content_.theta_i.size(); }
   SurfaceVector viewer(std::size_t i) const {
-    return SurfaceVector::from_degrees(content_.theta_i[i] * degrees, 0);
+    return SurfaceVector::from_degrees(degrees(content_.theta_i[i]), 0);
   }
 
   /// For every theta_i: its pairs, then what is made of f.
@@ -261,8 +259,7 @@ class Designer {
 
   void sample_spectra(std::size_t i, const MirroredPairs& pairs, const Bands& by_channel) {
     const SquareTable ndf = content_.ndf_table();
-    const double area =
-        content_.sigma_table().at(0, {RglPlace::of_theta(content_.theta_i[i] * degrees), 0.5});
+    const double area = content_.sigma_table().at(0, {RglPlace::of_theta(degrees(content_.theta_i[i])), 0.5});
     const std::size_t square = content_.samples * content_.samples;
     for (std::size_t k = 0; k < square; ++k) {
       const std::size_t pair = pair_of(k);

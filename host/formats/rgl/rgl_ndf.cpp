@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "host/base/angle.hpp"
 #include "host/base/error.hpp"
 #include "host/formats/rgl/rgl_content.hpp"
 
@@ -11,7 +12,6 @@ namespace brdftab {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double radians = pi / 180;
 
 // Half vectors towards the horizon are taken no further from the normal than this, degrees: there f may
 // vanish.
@@ -26,7 +26,7 @@ double integral(const std::vector<double>& density, const Function& function) {
   const auto steps = static_cast<double>(density.size() - 1);
   for (std::size_t k = 0; k < density.size(); ++k) {
     const double x = static_cast<double>(k) / steps, end = k == 0 || k + 1 == density.size() ? 0.5 : 1;
-    sum += end * density[k] * RglPlace::solid_angle(x) * function(RglPlace::theta(x) * radians) / steps;
+    sum += end * density[k] * RglPlace::solid_angle(x) * function(radians(RglPlace::theta(x))) / steps;
   }
   return sum;
 }
@@ -71,7 +71,7 @@ std::vector<double> half_vector_density(const ExportModel& source, std::size_t n
 std::vector<double> projected_area(const std::vector<double>& density, std::size_t nodes) {
   std::vector<double> area;
   for (std::size_t k = 0; k < nodes; ++k) {
-    const double theta_i = RglPlace::theta(static_cast<double>(k) / static_cast<double>(nodes - 1)) * radians;
+    const double theta_i = radians(RglPlace::theta(static_cast<double>(k) / static_cast<double>(nodes - 1)));
     area.push_back(integral(density, [&](double theta_m) { return mean_cosine(theta_i, theta_m); }));
   }
   return area;

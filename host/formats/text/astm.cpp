@@ -2,8 +2,8 @@
 // surface.
 #include <fstream>
 #include <iterator>
-#include <numbers>
 
+#include "host/base/angle.hpp"
 #include "host/base/error.hpp"
 #include "host/base/whole_file.hpp"
 #include "host/formats/export/export_text.hpp"
@@ -17,7 +17,6 @@ namespace brdftab {
 namespace {
 
 constexpr std::string_view comment = "COMMENT ";
-constexpr double radian = std::numbers::pi / 180;
 
 class AstmFormat : public ExportFormat {
  public:
@@ -49,11 +48,11 @@ class AstmFormat : public ExportFormat {
     fmt::format_to(out, "NUM_POINTS {}\nVARS theta_i,phi_i,theta_s,phi_s,{}\n", directions.size(),
                    fmt::join(channels, ","));
     std::vector<std::string> phi_texts;
-    for (const double phi : azimuths) phi_texts.push_back(fmt::format("{}", phi * radian));
+    for (const double phi : azimuths) phi_texts.push_back(fmt::format("{}", radians(phi)));
     std::size_t k = 0;
     for (const double theta_i : grid.theta_i.nodes())
       for (const double theta_s : grid.theta_s.nodes()) {
-        const std::string angles = fmt::format("{},0,{},", theta_i * radian, theta_s * radian);
+        const std::string angles = fmt::format("{},0,{},", radians(theta_i), radians(theta_s));
         for (const auto& phi : phi_texts) {
           fmt::format_to(out, "{}{}", angles, phi);
           for (const auto& channel : f) fmt::format_to(out, ",{:.9g}", channel[k]);

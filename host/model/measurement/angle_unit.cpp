@@ -52,7 +52,7 @@ std::string doubt_of_degrees(std::span<const double> theta_i, std::span<const do
         "radians takes them so",
         highest_i, highest_s);
   }
-  if (highest_phi > 1.5 && !are_round(phi) && are_multiples(phi, degrees_in_radian, 1, 0.02))
+  if (highest_phi > 1.5 && !are_round(phi) && are_multiples(phi, degrees_per_radian, 1, 0.02))
     return fmt::format(
         "no phi is above {:.5g} degrees, and all are whole degrees if taken as radians; --angles "
         "azimuth-radians takes them so",

@@ -8,6 +8,8 @@
 #include <string>
 #include <string_view>
 
+#include "host/base/angle.hpp"
+
 namespace brdftab {
 
 struct AngleUnit {
@@ -16,12 +18,10 @@ struct AngleUnit {
   double theta, phi;
 };
 
-inline constexpr double degrees_in_radian = 180 / std::numbers::pi;
-
 /// "azimuth-radians": theta in degrees, phi in radians.
 inline constexpr std::array<AngleUnit, 3> angle_units{{{"degrees", 1, 1},
-                                                       {"radians", degrees_in_radian, degrees_in_radian},
-                                                       {"azimuth-radians", 1, degrees_in_radian}}};
+                                                       {"radians", degrees_per_radian, degrees_per_radian},
+                                                       {"azimuth-radians", 1, degrees_per_radian}}};
 
 /// None where the table has no such name.
 std::optional<AngleUnit> parse_angle_unit(std::string_view name);

@@ -2,12 +2,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <optional>
 #include <set>
 #include <utility>
 #include <vector>
 
+#include "host/base/angle.hpp"
 #include "host/base/error.hpp"
 #include "host/base/numbers.hpp"
 #include "host/model/measurement/doubts.hpp"
@@ -15,8 +15,6 @@
 
 namespace brdftab {
 namespace {
-
-constexpr double radian = std::numbers::pi / 180;
 
 // From here on a surface's forward scatter exceeds its backward scatter by far, unless it retro-reflects.
 constexpr double high_incidence = 45;
@@ -27,11 +25,11 @@ constexpr std::size_t few_views = 5;
 // Degrees: samples at scattered directions fill groups of incidences, not one of them.
 constexpr double wide_incidence = 10;
 
-bool is_backward(const DirectionPair& pair) { return std::cos(pair.model_phi() * radian) < 0; }
+bool is_backward(const DirectionPair& pair) { return std::cos(radians(pair.model_phi())) < 0; }
 
 double distance_from_retro(const DirectionPair& pair) {
-  const double sine = std::sin(pair.model_theta_s() * radian), phi = pair.model_phi() * radian;
-  return std::hypot(sine * std::cos(phi) + std::sin(pair.theta_i * radian), sine * std::sin(phi));
+  const double sine = std::sin(radians(pair.model_theta_s())), phi = radians(pair.model_phi());
+  return std::hypot(sine * std::cos(phi) + std::sin(radians(pair.theta_i)), sine * std::sin(phi));
 }
 
 // Degrees out of the plane of incidence that leave a sample in it, and between neighbours that interpolation
@@ -58,8 +56,8 @@ std::map<std::pair<std::size_t, std::size_t>, Scan> scans_in_plane(const Measure
                                                                    const Incidences& incidences) {
   std::map<std::pair<std::size_t, std::size_t>, Scan> scans;
   for (const auto& [pair, brdf, sigma, channel, share_s] : measurement.samples) {
-    const double theta_s = pair.model_theta_s(), phi = pair.model_phi() * radian;
-    if (!(brdf > 0) || (theta_s > 0 && std::abs(std::sin(phi)) > std::sin(in_plane * radian))) continue;
+    const double theta_s = pair.model_theta_s(), phi = radians(pair.model_phi());
+    if (!(brdf > 0) || (theta_s > 0 && std::abs(std::sin(phi)) > std::sin(radians(in_plane)))) continue;
     scans[{channel, incidences.index(pair.theta_i)}][is_backward(pair) ? -theta_s : theta_s] = std::log(brdf);
   }
   return scans;
@@ -103,7 +101,7 @@ std::string doubt_of_cosine(const Measurement& measurement) {
       const double theta = incidences.angles()[key.second],
                    other_theta = incidences.angles()[other_key.second];
       if (std::max(theta, other_theta) > largest_theta) continue;
-      const double expected = std::log(std::cos(other_theta * radian) / std::cos(theta * radian));
+      const double expected = std::log(std::cos(radians(other_theta)) / std::cos(radians(theta)));
       for (const int side : {1, -1}) {
         const auto there = ln_f(scan, side * other_theta), back = ln_f(other, side * theta);
         if (!there || !back) continue;

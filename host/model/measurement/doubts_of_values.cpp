@@ -5,14 +5,14 @@
 #include <map>
 #include <numbers>
 
+#include "host/base/angle.hpp"
 #include "host/base/error.hpp"
 #include "host/base/numbers.hpp"
+#include "host/base/statistics.hpp"
 #include "host/model/measurement/doubts.hpp"
 
 namespace brdftab {
 namespace {
-
-constexpr double radian = std::numbers::pi / 180;
 
 // A diffuse reflectance above 1 by more than a measurement's error; a reflectance factor reads at most pi
 // times too high.
@@ -24,17 +24,13 @@ constexpr double beyond_lobes = 0.3;
 constexpr std::size_t fewest_of_incidence = 5, fewest = 3;
 
 // A tenth of the values lie below this one: the diffuse level, whatever peaks there are.
-double low_level(std::vector<double> values) {
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 10);
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
-}
+double low_level(std::vector<double> values) { return percentile(values, 10); }
 
 // In the plane of direction cosines, where lobes are about circles.
 double distance_from_peaks(const DirectionPair& pair) {
-  const double alpha_0 = std::sin(pair.theta_i * radian), sine = std::sin(pair.model_theta_s() * radian);
-  const double alpha = sine * std::cos(pair.model_phi() * radian),
-               beta = sine * std::sin(pair.model_phi() * radian);
+  const double alpha_0 = std::sin(radians(pair.theta_i)), sine = std::sin(radians(pair.model_theta_s()));
+  const double alpha = sine * std::cos(radians(pair.model_phi())),
+               beta = sine * std::sin(radians(pair.model_phi()));
   return std::min(std::hypot(alpha - alpha_0, beta), std::hypot(alpha + alpha_0, beta));
 }
 
@@ -72,16 +68,11 @@ constexpr double clearly_negative = -0.1;
 // every other sample.
 constexpr double most_changes_of_sign = 0.2;
 
-double quantile(std::vector<double> values, double share) {
-  const auto at =
-      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
-}
-
+// Takes the values in the order of the file.
 bool look_like_logarithms(const std::vector<double>& values) {
-  if (quantile(values, 0.5) < clearly_negative) return true;
-  if (quantile(values, 0.1) >= clearly_negative) return false;
+  std::vector<double> sorted = values;
+  if (lower_percentile(sorted, 50) < clearly_negative) return true;
+  if (lower_percentile(sorted, 10) >= clearly_negative) return false;
   std::size_t changes = 0;
   for (std::size_t k = 1; k < values.size(); ++k) changes += (values[k] < 0) != (values[k - 1] < 0);
   return static_cast<double>(changes) < most_changes_of_sign * static_cast<double>(values.size());
@@ -110,13 +101,13 @@ std::string doubt_of_logarithms(const Measurement& measurement) {
   std::size_t negative = 0, count = 0;
   double median = 0;
   bool found = false;
-  for (const auto& [channel, values] : values_by_channel(measurement)) {
+  for (auto& [channel, values] : values_by_channel(measurement)) {
     count += values.size();
     negative +=
         static_cast<std::size_t>(std::count_if(values.begin(), values.end(), [](double v) { return v < 0; }));
     if (!look_like_logarithms(values)) continue;
     found = true;
-    median = std::min(median, quantile(values, 0.5));
+    median = std::min(median, lower_percentile(values, 50));
   }
   if (!found) return {};
   // No surface is as dark as 1e-8 1/sr nearly everywhere.

@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "host/base/angle.hpp"
 
 namespace brdftab {
 namespace {
@@ -55,7 +56,7 @@ PolarFrame::PolarFrame(const Box& box, const ChartAxis& x, const ChartAxis& y)
 
 ChartPoint PolarFrame::place(const ChartPoint& point) const {
   const double radius = radius_ * std::max(y_.position(point.y), 0.0);
-  const double angle = point.x * std::numbers::pi / 180;
+  const double angle = radians(point.x);
   return {origin_.x + radius * std::sin(angle), origin_.y - radius * std::cos(angle)};
 }
 
@@ -68,7 +69,7 @@ void PolarFrame::draw(Svg& svg, const Shown& shown) const {
   for (int angle = -90; angle <= 90; angle += 10) {
     const bool labelled = angle % 30 == 0;
     const ChartPoint rim = place({static_cast<double>(angle), y_.high});
-    const double turn = angle * std::numbers::pi / 180;
+    const double turn = radians(angle);
     const double tick = labelled ? long_tick : short_tick;
     if (labelled && angle != -90 && angle != 90) svg.line(origin_.x, origin_.y, rim.x, rim.y, inks::grid);
     svg.line(rim.x, rim.y, rim.x + tick * std::sin(turn), rim.y - tick * std::cos(turn), inks::frame);

@@ -6,6 +6,7 @@
 #include <random>
 #include <set>
 
+#include "host/base/statistics.hpp"
 #include "host/compute/evaluate.hpp"
 #include "host/table/validation/spot_check.hpp"
 
@@ -118,9 +119,8 @@ class CellSlices {
 void set_percentiles(InterpolationError& error, std::vector<double>& errors) {
   error.points = errors.size();
   if (errors.empty()) return;
-  std::sort(errors.begin(), errors.end());
-  error.percentile_95 = errors[errors.size() * 95 / 100];
-  error.median = errors[errors.size() / 2];
+  error.percentile_95 = percentile(errors, 95);
+  error.median = median(errors);
 }
 
 InterpolationErrors interpolation_errors(const Engine& engine, TableReader& reader, const StoredTable& table,

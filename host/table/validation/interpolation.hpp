@@ -48,7 +48,7 @@ struct InterpolationErrors {
 InterpolationErrors interpolation_errors(const Engine& engine, TableReader& reader, const StoredTable& table,
                                          double floor, std::size_t most_points = 300'000);
 
-/// Sorts errors; `maximum` and `worst` are the caller's.
+/// Reorders errors; `maximum` and `worst` are the caller's.
 void set_percentiles(InterpolationError& error, std::vector<double>& errors);
 
 }  // namespace brdftab

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <numbers>
 #include <random>
 
+#include "host/base/angle.hpp"
 #include "host/table/validation/spot_check.hpp"
 
 namespace brdftab {
@@ -49,7 +49,7 @@ std::vector<Mistake> mistakes(const Grid& grid) {
                     [&grid, axes](const Index& index) {
                       Angles angles = angles_at(grid, index);
                       for (std::size_t k = 0; k < 4; ++k)
-                        if (axes >> k & 1) angles[k] *= 180 / std::numbers::pi;
+                        if (axes >> k & 1) angles[k] *= degrees_per_radian;
                       return angles;
                     }});
   }

@@ -5,6 +5,7 @@
 
 #include "host/base/error.hpp"
 #include "host/base/numbers.hpp"
+#include "host/base/statistics.hpp"
 #include "host/table/table_attributes.hpp"
 #include "host/table/validation/misreading.hpp"
 #include "host/table/validation/spot_check.hpp"
@@ -195,7 +196,7 @@ class Validator {
                     rows[a * chosen.size() + b].begin());
     }
     std::vector<double> defects;
-    TableReciprocity& found = result_.reciprocity;
+    Reciprocity& found = result_.reciprocity;
     for (std::size_t a = 0; a < chosen.size(); ++a)
       for (std::size_t b = a + 1; b < chosen.size(); ++b)
         for (std::size_t k = 0; k < columns; ++k) {
@@ -211,9 +212,8 @@ class Validator {
         }
     found.pairs = defects.size();
     if (defects.empty()) return;
-    std::nth_element(defects.begin(), defects.begin() + static_cast<std::ptrdiff_t>(defects.size() / 2),
-                     defects.end());
-    found.median = defects[defects.size() / 2];
+    found.median = median(defects);
+    found.percentile_90 = percentile(defects, 90);
   }
 
   const Engine& engine_;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "host/table/energy.hpp"
 #include "host/table/validation/interpolation.hpp"
 #include "host/table/validation/node_check.hpp"
 
@@ -24,20 +25,12 @@ struct IntegralFindings {
   std::string variable;
 };
 
-/// |ln f(i,s)/f(s,i)| over pairs of the table's own nodes.
-struct TableReciprocity {
-  std::size_t pairs = 0;
-  double median = 0;
-  double maximum = 0;
-  double theta_i = 0, theta_s = 0, phi = 0;  // degrees, of the maximum
-};
-
 struct Validation {
   double tolerance = 0;
   NodeFindings nodes;
   IntegralFindings normalization;
   IntegralFindings dhr;
-  TableReciprocity reciprocity;
+  Reciprocity reciprocity;  // over pairs of the table's own nodes
   double largest_dhr = 0;
   double largest_dhr_theta_i = 0;  // degrees
   std::vector<std::string> energy_warnings;
