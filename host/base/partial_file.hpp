@@ -15,6 +15,8 @@ class PartialFile {
   PartialFile& operator=(const PartialFile&) = delete;
   ~PartialFile();
 
+  /// The name that it will have.
+  const std::filesystem::path& target() const { return target_; }
   /// A writer may put a folder in the place of the file.
   const std::filesystem::path& path() const { return partial_; }
 

@@ -22,12 +22,24 @@ std::string read_whole(const std::filesystem::path& file) {
   return bytes;
 }
 
-void write_whole(const std::filesystem::path& file, std::string_view bytes) {
+namespace {
+
+// `target` stands for the file in messages.
+void write(const std::filesystem::path& file, const std::filesystem::path& target, std::string_view bytes) {
   std::ofstream out(file, std::ios::binary | std::ios::trunc);
   out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   out.close();
   if (!out)
-    throw FileError("{}: cannot be written: {}", file.string(), std::generic_category().message(errno));
+    throw FileError("{}: cannot be written: {}", target.string(), std::generic_category().message(errno));
+}
+
+}  // namespace
+
+void write_whole(const std::filesystem::path& file, std::string_view bytes) { write(file, file, bytes); }
+
+void write_whole(PartialFile& file, std::string_view bytes) {
+  write(file.path(), file.target(), bytes);
+  file.commit();
 }
 
 }  // namespace brdftab

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "host/base/numbers.hpp"
-#include "host/base/partial_file.hpp"
+#include "host/base/whole_file.hpp"
 #include "host/commands/command.hpp"
 
 namespace brdftab {
@@ -116,12 +116,7 @@ ExitStatus run(const Options& options, const CommonOptions& common) {
     std::fwrite(text.data(), 1, text.size(), stdout);
     return ExitStatus::done;
   }
-  std::ofstream out(file->path(), std::ios::binary);
-  out << text;
-  out.close();
-  if (!out)
-    throw FileError("{}: cannot be written: {}", options.output, std::generic_category().message(errno));
-  file->commit();
+  write_whole(*file, text);
   return ExitStatus::done;
 }
 

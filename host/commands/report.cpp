@@ -2,11 +2,10 @@
 
 #include <filesystem>
 
-#include "host/base/partial_file.hpp"
+#include "host/base/whole_file.hpp"
 #include "host/commands/command.hpp"
 #include "host/formats/hdf5/hdf5_writer.hpp"
 #include "host/formats/open_table.hpp"
-#include "host/pictures/drawing/picture_file.hpp"
 #include "host/pictures/report/embedded_table.hpp"
 #include "host/table/generate.hpp"
 
@@ -79,9 +78,8 @@ ExitStatus run(const Options& options, const CommonOptions& common) {
   std::string origin = fmt::format("The file is {}.", options.subject);
   const Subject table =
       subject.is_table() ? subject : table_of(subject, engine, folder.emplace(), common, origin);
-  write_whole_file(file, target,
-                   report(
-                       table, [&]() -> const Engine& { return engine; }, origin));
+  write_whole(file, report(
+                        table, [&]() -> const Engine& { return engine; }, origin));
   return ExitStatus::done;
 }
 

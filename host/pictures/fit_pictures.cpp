@@ -10,6 +10,7 @@
 #include "host/base/error.hpp"
 #include "host/base/numbers.hpp"
 #include "host/base/partial_file.hpp"
+#include "host/base/whole_file.hpp"
 #include "host/compute/slab.hpp"
 #include "host/model/measurement/measured_light.hpp"
 #include "host/pictures/drawing/matrix_figure.hpp"
@@ -22,15 +23,15 @@ namespace brdftab {
 namespace {
 
 constexpr std::array<double, 2> shown_shadowing{30, 70};
-// As many as a legend holds in one column above three notes.
+// A legend holds so many in one column above three notes.
 constexpr std::size_t most_incidences = 17;
 
 void write(const std::filesystem::path& path, const std::string& text, bool force) {
   PartialFile file(path, force);
-  write_whole_file(file, path, text);
+  write_whole(file, text);
 }
 
-// Of the samples in one light.
+// Draws the samples in one light.
 Panel fit_panel(const Engine& engine, const FitProblem& problem, std::span<const MeasuredSample> samples,
                 const Parameters& parameters, Chart& chart) {
   const std::vector<InPlaneScan> scans = in_plane_scans(samples, problem.incidences());
@@ -134,7 +135,7 @@ std::string shadowing_picture(const Parameters& parameters) {
   return chart.svg();
 }
 
-// A fitted parameter's name in a file, with its symbol in front.
+// Puts the symbol of a fitted parameter in the place of its name.
 std::string shown_name(const std::string& name) {
   for (const auto& row : parameter_table)
     if (name.starts_with(row.name) && (name.size() == row.name.size() || name[row.name.size()] == ' '))

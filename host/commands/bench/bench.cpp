@@ -6,11 +6,10 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
-#include <fstream>
 #include <thread>
 
 #include "host/base/numbers.hpp"
-#include "host/base/partial_file.hpp"
+#include "host/base/whole_file.hpp"
 #include "host/commands/bench/bench_timing.hpp"
 #include "host/commands/command.hpp"
 #include "host/formats/hdf5/hdf5_writer.hpp"
@@ -214,12 +213,7 @@ ExitStatus run(const Options& options, const CommonOptions& common) {
         measured["generate"] = bench_generate(device, precision, material, options, common.watch);
       result["devices"].push_back(std::move(measured));
     }
-  if (json) {
-    std::ofstream file(json->path());
-    file << result.dump(2) << '\n';
-    if (!file.flush()) throw FileError("{}: cannot be written", options.json);
-    json->commit();
-  }
+  if (json) write_whole(*json, result.dump(2) + '\n');
   return ExitStatus::done;
 }
 

@@ -1,9 +1,7 @@
 #include "host/pictures/drawing/picture_file.hpp"
 
-#include <cerrno>
-#include <fstream>
-
 #include "host/base/error.hpp"
+#include "host/base/whole_file.hpp"
 #include "host/pictures/drawing/png.hpp"
 
 namespace brdftab {
@@ -24,20 +22,11 @@ PictureFile::PictureFile(const std::filesystem::path& target, int png_width, boo
 
 void PictureFile::write(const std::string& svg) {
   if (target_.extension() == ".svg") {
-    write_whole_file(file_, target_, svg);
+    write_whole(file_, svg);
   } else {
     const auto bytes = png_of_svg(svg, png_width_);
-    write_whole_file(file_, target_, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    write_whole(file_, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
   }
-}
-
-void write_whole_file(PartialFile& file, const std::filesystem::path& target, std::string_view content) {
-  std::ofstream out(file.path(), std::ios::binary);
-  out.write(content.data(), static_cast<std::streamsize>(content.size()));
-  out.close();
-  if (!out)
-    throw FileError("{}: cannot be written: {}", target.string(), std::generic_category().message(errno));
-  file.commit();
 }
 
 }  // namespace brdftab

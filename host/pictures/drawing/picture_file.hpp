@@ -23,7 +23,4 @@ class PictureFile {
   PartialFile file_;
 };
 
-/// Writes all of a file beside its place, then names it. Throws FileError.
-void write_whole_file(PartialFile& file, const std::filesystem::path& target, std::string_view content);
-
 }  // namespace brdftab
