@@ -5,9 +5,8 @@
 #include <cmath>
 
 #include "host/base/error.hpp"
-#include "host/base/statistics.hpp"
 #include "host/fit/fit_starts.hpp"
-#include "host/fit/fit_uncertainty.hpp"
+#include "host/fit/uncertainty/fit_uncertainty.hpp"
 
 namespace brdftab {
 namespace {
@@ -15,15 +14,12 @@ namespace {
 // Threads mostly wait for each other's evaluations; this many share one launch.
 constexpr std::size_t starts_at_once = 32;
 constexpr std::size_t most_polished = 6;
-// An rms this much above the best counts as having reached it.
+// A start whose rms is at most this many times the best has reached it.
 constexpr double reached_rms = 1.01;
-// 95 % efficient for normal residuals: 2.385 of their standard deviation, which is 1.4826 of the median
-// modulus.
-constexpr double cauchy_scale = 2.385 * 1.4826;
 
 constexpr int cauchy_rounds = 5;
 constexpr int most_noise_rounds = 40;
-// A relative change of every sigma below it moves no digit that is told.
+// Where every sigma changes by less than this part, no digit that is told moves.
 constexpr double settled_noise = 1e-5;
 
 constexpr Patience first_descent{.iterations = 80, .tolerance = 1e-5};
@@ -49,11 +45,6 @@ std::vector<std::vector<double>> best_points(const std::vector<Minimum>& sorted,
   return points;
 }
 
-double median_modulus(std::vector<double> values) {
-  for (double& value : values) value = std::abs(value);
-  return median(values);
-}
-
 double update_noise(FitProblem& problem, const Minimum& best) {
   return problem.update_noise(best.u, freedom(linear_uncertainty(problem, best)));
 }
@@ -67,11 +58,7 @@ void settle(FitProblem& problem, std::vector<Minimum>& polished) {
   for (int round = 0; round < rounds && !polished.empty(); ++round) {
     const double change = options.noise ? update_noise(problem, polished.front()) : 1;
     if (change < settled_noise && round >= (is_robust ? cauchy_rounds : 0)) return;
-    if (is_robust) {
-      problem.loss_scale = std::numeric_limits<double>::infinity();
-      problem.loss_scale =
-          cauchy_scale * std::max(median_modulus(problem.residuals(polished.front().u).values), 1e-6);
-    }
+    if (is_robust) problem.update_loss_scale(polished.front().u);
     polished = descend(problem, best_points(polished, most_polished), polish);
     sort_by_cost(polished);
   }
@@ -97,7 +84,7 @@ Fit fit(FitProblem& problem) {
              .evaluations = 0};
   for (const Minimum& minimum : minima) result.converged += minimum.converged && std::isfinite(minimum.cost);
   if (result.converged == 0 || polished.empty() || !std::isfinite(polished.front().cost))
-    throw Error(Fault::check, "none of {} starts converged; --starts and --seed try others", options.starts);
+    throw Error(Fault::check, "none of {} starts converged; `starts` and `seed` try others", options.starts);
   result.best = polished.front();
   for (const Minimum& minimum : minima)
     result.reached += std::sqrt(minimum.cost) <= reached_rms * std::sqrt(minima.front().cost);

@@ -1,4 +1,4 @@
-// Fits the fourteen parameters to a measurement: many starts, the best of which is polished.
+// A fit of the model's parameters to a measurement: many starts descend, and the best are polished.
 #pragma once
 
 #include "host/fit/minimizer.hpp"
@@ -8,16 +8,16 @@ namespace brdftab {
 struct Fit {
   Minimum best;
   std::size_t starts;
-  /// Starts that converged, and those of them whose rms ended within 1 % of the best.
+  /// How many starts converged, and how many of those ended within 1 % of the best rms.
   std::size_t converged;
   std::size_t reached;
-  /// Wall time of the search, and of the kernels in it.
+  /// Wall time that the search took, and that the kernels took in it.
   double seconds;
   double kernel_seconds;
   std::size_t evaluations;
 };
 
-/// Throws Error (exit status 1) where no start converges. Results depend on the options only, not on timing.
+/// Throws Error (Fault::check) where no start converges. The result depends on the options, never on timing.
 Fit fit(FitProblem& problem);
 
 }  // namespace brdftab

@@ -11,16 +11,15 @@
 namespace brdftab {
 namespace {
 
-// rho, w_a, w_b, gamma, delta, w and n follow from the surface's geometry, not from the wavelength.
-bool is_geometric(std::size_t parameter) {
-  const auto name = parameter_table[parameter].name;
-  return name.starts_with("rho") || parameter >= 8;
-}
-
-// Of a noise model that is estimated: the parts with which the first descents begin, of f and of the data's
-// median modulus.
+// Where a noise model is estimated, the first descents begin with these parts: of f, and of the median
+// modulus of the data.
 constexpr double first_relative_noise = 0.05;
 constexpr double first_floor = 0.1;
+// The Cauchy loss is 95 % efficient for normal residuals where its scale is 2.385 of their standard
+// deviation, which is 1.4826 of their median modulus.
+constexpr double cauchy_scale = 2.385 * 1.4826;
+// A model that meets the data exactly leaves residuals without a scale of their own.
+constexpr double smallest_median = 1e-6;
 
 }  // namespace
 
@@ -35,7 +34,7 @@ FitProblem::FitProblem(const Engine& engine, const Measurement& measurement, con
                    measurement.source, samples_, variables_.size(), beyond_max_theta_,
                    shortest(options.max_theta), below_floor_, shortest(options.floor));
   if (options.weights == FitWeights::sigma && !measurement.has_sigma())
-    throw BadInput("{}: --weights sigma takes a column sigma with a value in every row", measurement.source);
+    throw BadInput("{}: `weights` sigma takes a column sigma with a value in every row", measurement.source);
   weigh();
   mean_of_exchanges_ = measurement.mean_of_exchanges;
   if (options.take_sigma()) guess_sigma();
@@ -72,7 +71,7 @@ void FitProblem::take_samples(const Measurement& measurement) {
     bands_.push_back({measurement.channels[c], measurement.wavelength_nm(c), {}, {}, {}, {}});
     for (const auto& sample : measurement.samples) {
       if (sample.channel != c) continue;
-      // Of a setting at the limit, what an encoder reads back just beyond it belongs to the rest.
+      // An encoder reads part of a setting at the limit back as just beyond it: the setting is used whole.
       const double theta_i = all.lowest(all.index(sample.pair.theta_i));
       const bool beyond = std::max(theta_i, sample.pair.model_theta_s()) > options_.max_theta;
       const bool below = !options_.take_sigma() && !(sample.brdf > options_.floor);
@@ -159,6 +158,13 @@ double FitProblem::update_noise(std::span<const double> u, std::span<const doubl
   return change;
 }
 
+void FitProblem::update_loss_scale(std::span<const double> u) {
+  loss_scale_ = std::numeric_limits<double>::infinity();
+  std::vector<double> moduli = residuals(u).values;
+  for (double& value : moduli) value = std::abs(value);
+  loss_scale_ = cauchy_scale * std::max(median(moduli), smallest_median);
+}
+
 void FitProblem::make_variables() {
   fixed_.resize(bands_.size());
   std::vector<std::size_t> all(bands_.size());
@@ -167,7 +173,7 @@ void FitProblem::make_variables() {
     const ParameterChoice& choice = options_.choices[p];
     if (choice.fixed) {
       for (Parameters& parameters : fixed_) parameters.*parameter_table[p].member = *choice.fixed;
-    } else if (options_.share_geometry && is_geometric(p)) {
+    } else if (options_.share_geometry && parameter_table[p].is_geometric) {
       variables_.push_back({p, all, choice.minimum, choice.maximum});
     } else {
       for (const std::size_t b : all) variables_.push_back({p, {b}, choice.minimum, choice.maximum});
@@ -188,6 +194,20 @@ std::vector<double> FitProblem::solver_variables(std::span<const Parameters> ban
   for (const FitVariable& v : variables_)
     u.push_back(v.to_solver(std::clamp(bands[v.bands.front()].*v.row().member, v.minimum, v.maximum)));
   return u;
+}
+
+SampleRanges FitProblem::sample_ranges() const {
+  SampleRanges ranges{{90, 0}, {90, 0}, {HUGE_VAL, -HUGE_VAL}};
+  const auto extend = [](FitRange& range, double value) {
+    range = {std::min(range.low, value), std::max(range.high, value)};
+  };
+  for (const FitBand& band : bands_)
+    for (const auto& sample : band.samples) {
+      extend(ranges.theta_i, sample.pair.theta_i);
+      extend(ranges.theta_s, sample.pair.model_theta_s());
+      extend(ranges.brdf, sample.brdf);
+    }
+  return ranges;
 }
 
 std::vector<double> FitProblem::log_ratios(const BandValues& values, std::size_t band) const {
@@ -224,13 +244,13 @@ FitProblem::Residuals FitProblem::residuals(std::span<const double> u) const {
     for (std::size_t k = 0; k < values.size(); ++k) {
       const double root = std::sqrt(bands_[b].weights[k]);
       double value = root * values[k];
-      // Of the misfit by ln f.
+      // This is the derivative of the misfit by ln f.
       double slope = root;
       if (options_.take_sigma()) slope *= std::exp(evaluated[b].ln_f()[k]) / bands_[b].sigma[k];
-      // Ceres takes a loss of a whole block only; as a residual it is c sqrt(ln(1 + r^2/c^2)).
-      if (std::isfinite(loss_scale) && value != 0) {
-        const double squared = value * value / (loss_scale * loss_scale);
-        const double robust = std::copysign(loss_scale * std::sqrt(std::log1p(squared)), value);
+      // Ceres applies a loss to a whole block only; so each residual becomes c sqrt(ln(1 + r^2/c^2)).
+      if (std::isfinite(loss_scale_) && value != 0) {
+        const double squared = value * value / (loss_scale_ * loss_scale_);
+        const double robust = std::copysign(loss_scale_ * std::sqrt(std::log1p(squared)), value);
         slope *= value / (robust * (1 + squared));
         value = robust;
       }

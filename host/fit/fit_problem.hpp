@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "host/fit/fit_variable.hpp"
 #include "host/fit/gradient_batch.hpp"
 #include "host/fit/noise_model.hpp"
+#include "host/model/material/fit_record.hpp"
 #include "host/model/measurement/measurement.hpp"
 
 namespace brdftab {
@@ -21,18 +23,18 @@ struct FitOptions {
   std::vector<ParameterChoice> choices = default_choices();
   std::size_t starts = 48;
   std::uint64_t seed = 1;
-  /// Samples beyond it, in degrees, are left out.
+  /// Samples whose theta_i or theta_s lies beyond it, in degrees, are left out.
   double max_theta = 80;
   /// Samples with f at or below it, in 1/sr, are left out where residuals are ln(model/data).
   double floor = 2e-3;
   FitWeights weights = FitWeights::aoi;
-  /// In place of weights: what gives each sample its sigma.
+  /// Where it is given, it takes the place of weights: each sample gets its sigma from it.
   std::optional<NoiseChoice> noise;
 
   /// Whether residuals are (model - data)/sigma, over all samples, and not ln(model/data).
   bool take_sigma() const { return noise.has_value() || weights == FitWeights::sigma; }
   FitLoss loss = FitLoss::linear;
-  /// Between the channels of a spectrum: rho, V and V_m; otherwise nothing.
+  /// Whether the channels of a spectrum have the parameters in common that are geometric.
   bool share_geometry = true;
   Variant variant;
 };
@@ -42,12 +44,18 @@ struct FitBand {
   std::string channel;
   std::optional<double> wavelength_nm;
   std::vector<MeasuredSample> samples;
-  /// Within max_theta, but at or below the floor.
+  /// These lie within max_theta but have f at or below the floor.
   std::vector<MeasuredSample> below_floor;
-  /// Of each sample, 1/sr; empty where residuals are ln(model/data).
+  /// The sigma of each sample, 1/sr; there are none where residuals are ln(model/data).
   std::vector<double> sigma;
-  /// Of each residual; their mean over all bands is 1.
+  /// The weight of each residual; the mean of all bands' weights is 1.
   std::vector<double> weights;
+};
+
+/// The lowest and highest of the samples that a fit uses.
+struct SampleRanges {
+  FitRange theta_i, theta_s;  // degrees
+  FitRange brdf;              // 1/sr
 };
 
 class FitProblem {
@@ -57,57 +65,58 @@ class FitProblem {
 
   const std::vector<FitBand>& bands() const { return bands_; }
   const std::vector<FitVariable>& variables() const { return variables_; }
-  /// The settings of theta_i among the samples, of all bands together.
+  /// The settings of theta_i that the samples of all bands together have.
   const Incidences& incidences() const { return *incidences_; }
   double incidence_width() const { return incidence_width_; }
   std::size_t samples() const { return samples_; }
-  /// Share of s-polarised light that all samples have; 1/2 where they differ.
+  SampleRanges sample_ranges() const;
+  /// The share of s-polarised light that all samples have; it is 1/2 where they differ.
   double share_s() const;
   bool is_of_one_light() const;
-  /// Samples left out by max_theta and by the floor.
+  /// How many samples max_theta left out, and how many the floor.
   std::size_t beyond_max_theta() const { return beyond_max_theta_; }
   std::size_t below_floor() const { return below_floor_; }
-  GradientBatch& batch() const { return *batch_; }
+  const GradientBatch& batch() const { return *batch_; }
   const FitOptions& options() const { return options_; }
 
-  /// Where there is a noise model: that of the sigmas in force.
+  /// The noise model that gave the sigmas in force; none where the data give them.
   const std::optional<NoiseModel>& noise() const { return noise_; }
   /// Estimates what is not given of the noise model, and sets each sample's sigma by it, with f of the model
   /// at u; `freedom` is 1 - leverage of each sample there. Returns the largest relative change of a sigma.
   double update_noise(std::span<const double> u, std::span<const double> freedom);
 
-  /// Scale of the Cauchy loss, in units of the residuals; infinite: no loss.
-  double loss_scale = std::numeric_limits<double>::infinity();
+  /// Sets the scale of the Cauchy loss by the median modulus of the residuals at u. Before, it has none.
+  void update_loss_scale(std::span<const double> u);
 
   std::vector<Parameters> parameters(std::span<const double> u) const;
   std::vector<double> solver_variables(std::span<const Parameters> bands) const;
 
-  /// sqrt(weight) times the misfit, with the loss applied, and, row-major, its derivatives by the solver's
-  /// variables.
+  /// Each value is sqrt(weight) times the misfit, with the loss applied; the Jacobian has its derivatives by
+  /// the solver's variables, row-major.
   struct Residuals {
     std::vector<double> values;
     std::vector<double> jacobian;
-    /// Sum of squares; infinite where the model is not a number.
+    /// The sum of the squares; it is infinite where the model is not a number.
     double cost;
   };
   Residuals residuals(std::span<const double> u) const;
 
-  /// ln(model/data) or, where the fit takes sigma, (model - data)/sigma of one band.
+  /// The misfits of one band: ln(model/data) or, where the fit takes sigma, (model - data)/sigma.
   std::vector<double> misfits(const BandValues& values, std::size_t band) const;
-  /// What f is divided by in a misfit: the datum, or sigma, 1/sr.
+  /// A misfit divides f by this: the datum or its sigma, 1/sr.
   double unit(std::size_t band, std::size_t sample) const;
-  /// ln(model/data) of one band; nan where the datum is not above 0.
+  /// ln(model/data) of one band; it is nan where the datum is not above 0.
   std::vector<double> log_ratios(const BandValues& values, std::size_t band) const;
-  /// Square roots of the mean square of ln(model/data), over the samples above the floor alike, and over the
-  /// means of each setting of theta_i of each band; nan where no sample is above it.
+  /// The rms of ln(model/data) over the samples above the floor: each sample counts alike, or each setting of
+  /// theta_i of each band does. Both are nan where no sample is above the floor.
   struct LogRms {
     double of_samples, of_incidences;
     std::size_t samples;
   };
   LogRms log_rms(std::span<const double> u) const;
 
-  /// ln f of a material, and its derivatives, at the directions of samples, each in its light and as the
-  /// measurement has them.
+  /// Evaluates ln f of a material and its derivatives at the directions of the samples, in the light of each,
+  /// and as the mean of f(i, s) and f(s, i) where the measurement holds such means.
   LogBrdfValues values_at(const Engine& engine, const std::vector<MeasuredSample>& samples,
                           const Parameters& parameters) const;
 
@@ -130,6 +139,8 @@ class FitProblem {
   std::size_t beyond_max_theta_ = 0;
   std::size_t below_floor_ = 0;
   std::unique_ptr<GradientBatch> batch_;
+  // The scale of the Cauchy loss, in units of the residuals; where it is infinite there is no loss.
+  double loss_scale_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace brdftab

@@ -7,35 +7,29 @@
 #include <cmath>
 #include <numeric>
 #include <random>
+#include <string_view>
 
 namespace brdftab {
 namespace {
 
 constexpr std::size_t draws_per_start = 16;
-// Bounds the memory that their derivatives take.
+// Their derivatives take memory, so that only so many draws are evaluated together.
 constexpr std::size_t draws_at_once = 64;
 
-// Ranges of the shapes, logarithmic; what may be 0 is drawn as its lower end in a part of the draws.
-struct ShapeRange {
-  double low;
-  double high;
-  double low_share;
-};
-constexpr std::array<ShapeRange, 14> shape_ranges{{{0.6, 4, 0},
-                                                   {0.01, 4, 0.4},
-                                                   {1, 1, 1},
-                                                   {0.004, 1.5, 0},
-                                                   {1, 1, 1},
-                                                   {0.15, 10, 0},
-                                                   {1, 1, 1},
-                                                   {0.01, 3, 0},
-                                                   {0.03, 1, 0},
-                                                   {0.01, 5, 0},
-                                                   {0.05, 30, 0.1},
-                                                   {0.01, 5, 0.2},
-                                                   {0.6, 3, 0},
-                                                   {0.05, 40, 0.3}}};
-constexpr std::array<std::size_t, 3> amplitudes{2, 4, 6};
+// The index of a lobe's amplitude in parameter_table.
+constexpr std::size_t amplitude_of(std::size_t lobe) {
+  constexpr std::string_view prefix = "sigma_";
+  std::size_t p = 0;
+  while (!parameter_table[p].name.starts_with(prefix) ||
+         parameter_table[p].name.substr(prefix.size()) != lobe_names[lobe])
+    ++p;
+  return p;
+}
+
+// Each lobe has a component.
+constexpr int lobes = lobe_names.size();
+using LobeVector = Eigen::Matrix<double, lobes, 1>;
+using LobeMatrix = Eigen::Matrix<double, lobes, lobes>;
 
 Parameters draw(const FitProblem& problem, std::mt19937_64& random) {
   const auto uniform = [&](double low, double high) {
@@ -44,23 +38,23 @@ Parameters draw(const FitProblem& problem, std::mt19937_64& random) {
   Parameters parameters{};
   for (std::size_t p = 0; p < parameter_table.size(); ++p) {
     const auto& choice = problem.options().choices[p];
-    const auto& range = shape_ranges[p];
-    const bool is_low = uniform(0, 1) < range.low_share;
-    const double drawn = is_low ? range.low : std::exp(uniform(std::log(range.low), std::log(range.high)));
-    parameters.*parameter_table[p].member =
-        choice.fixed ? *choice.fixed : std::clamp(drawn, choice.minimum, choice.maximum);
+    const ParameterRow& row = parameter_table[p];
+    const bool is_low = uniform(0, 1) < row.share_at_low;
+    const double drawn =
+        is_low ? row.start_low : std::exp(uniform(std::log(row.start_low), std::log(row.start_high)));
+    parameters.*row.member = choice.fixed ? *choice.fixed : std::clamp(drawn, choice.minimum, choice.maximum);
   }
   return parameters;
 }
 
-// Minimises |A x - b|^2 over x >= 0, three unknowns: the best of the eight sets of positive ones.
-Eigen::Vector3d non_negative(const Eigen::Matrix3d& normal, const Eigen::Vector3d& right,
-                             const std::array<bool, 3>& free) {
-  Eigen::Vector3d best = Eigen::Vector3d::Zero();
+// Minimises |A x - b|^2 over x >= 0: the best of all sets of positive unknowns, of which there are few.
+LobeVector non_negative(const LobeMatrix& normal, const LobeVector& right,
+                        const std::array<bool, lobe_names.size()>& free) {
+  LobeVector best = LobeVector::Zero();
   double best_value = 0;
-  for (int set = 1; set < 8; ++set) {
+  for (int set = 1; set < 1 << lobes; ++set) {
     std::vector<int> chosen;
-    for (int k = 0; k < 3; ++k)
+    for (int k = 0; k < lobes; ++k)
       if (set >> k & 1) chosen.push_back(k);
     if (std::any_of(chosen.begin(), chosen.end(), [&](int k) { return !free[static_cast<std::size_t>(k)]; }))
       continue;
@@ -87,33 +81,33 @@ Eigen::Vector3d non_negative(const Eigen::Matrix3d& normal, const Eigen::Vector3
 void set_amplitudes(const FitProblem& problem, std::size_t band, const BandValues& values,
                     Parameters& parameters) {
   const FitBand& data = problem.bands()[band];
-  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d right = Eigen::Vector3d::Zero();
+  LobeMatrix normal = LobeMatrix::Zero();
+  LobeVector right = LobeVector::Zero();
   const auto ln_f = values.ln_f();
-  std::array<bool, 3> free{};
-  for (std::size_t lobe = 0; lobe < 3; ++lobe)
-    free[lobe] = !problem.options().choices[amplitudes[lobe]].fixed;
+  std::array<bool, lobe_names.size()> free{};
+  for (std::size_t lobe = 0; lobe < lobe_names.size(); ++lobe)
+    free[lobe] = !problem.options().choices[amplitude_of(lobe)].fixed;
   for (std::size_t k = 0; k < ln_f.size(); ++k) {
-    Eigen::Vector3d part;
+    LobeVector part;
     const double f = std::exp(ln_f[k]) / problem.unit(band, k);
     double target = data.samples[k].brdf / problem.unit(band, k);
-    for (std::size_t lobe = 0; lobe < 3; ++lobe) {
-      part[static_cast<Eigen::Index>(lobe)] = values.by(amplitudes[lobe])[k] * f;
+    for (std::size_t lobe = 0; lobe < lobe_names.size(); ++lobe) {
+      part[static_cast<Eigen::Index>(lobe)] = values.by(amplitude_of(lobe))[k] * f;
       if (!free[lobe])
         target -=
-            part[static_cast<Eigen::Index>(lobe)] * (parameters.*parameter_table[amplitudes[lobe]].member);
+            part[static_cast<Eigen::Index>(lobe)] * (parameters.*parameter_table[amplitude_of(lobe)].member);
     }
     if (!part.allFinite()) continue;
     normal += data.weights[k] * part * part.transpose();
     right += data.weights[k] * target * part;
   }
-  const Eigen::Vector3d solved = non_negative(normal, right, free);
-  for (std::size_t lobe = 0; lobe < 3; ++lobe) {
+  const LobeVector solved = non_negative(normal, right, free);
+  for (std::size_t lobe = 0; lobe < lobe_names.size(); ++lobe) {
     if (!free[lobe]) continue;
-    const auto& choice = problem.options().choices[amplitudes[lobe]];
+    const auto& choice = problem.options().choices[amplitude_of(lobe)];
     // A lobe without amplitude would have no derivative by its width.
     const double least = 1e-3 * solved.maxCoeff() + 1e-6;
-    parameters.*parameter_table[amplitudes[lobe]].member =
+    parameters.*parameter_table[amplitude_of(lobe)].member =
         std::clamp(std::max(solved[static_cast<Eigen::Index>(lobe)], least), choice.minimum, choice.maximum);
   }
 }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "host/compute/integrals.hpp"
+#include "host/fit/uncertainty/fit_profile.hpp"
 
 namespace brdftab {
 namespace {
@@ -19,7 +20,7 @@ std::string name_of(const FitProblem& problem, const FitVariable& variable) {
   return fmt::format("{}[{}]", variable.row().name, problem.bands()[variable.bands.front()].channel);
 }
 
-// Each line costs an integral of the model over the hemisphere.
+// Each entry costs an integral of the model over the hemisphere.
 std::vector<IncidenceFit> by_incidence(const Engine& engine, const FitProblem& problem,
                                        const std::vector<double>& u) {
   const Incidences& settings = problem.incidences();

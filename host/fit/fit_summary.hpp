@@ -5,24 +5,27 @@
 #include <vector>
 
 #include "host/fit/fit.hpp"
-#include "host/fit/fit_bias.hpp"
-#include "host/fit/fit_sufficiency.hpp"
+#include "host/fit/uncertainty/fit_bias.hpp"
+#include "host/fit/uncertainty/fit_sufficiency.hpp"
 
 namespace brdftab {
 
 struct FittedVariable {
-  /// "rho_surface", or "n_eff[550]" where only one band has it.
+  /// It is "rho_surface", or "n_eff[550]" where only one band has the variable.
   std::string name;
   double value;
-  /// nan where it is at a bound or has no influence.
+  /// It is nan where the variable is at a bound or has no influence.
   double standard_error;
   Interval95 interval;
   bool at_bound;
-  /// A standard error says nothing of a variable at its bound.
+  /// False where the variable is at its bound and the interval would come from a standard error.
   bool has_interval;
 
   bool unidentifiable() const { return has_interval && interval.open_below && interval.open_above; }
-  /// Within a factor of two at best.
+  /// Whether the data do not limit the interval on a side; at its bound nothing needs to limit it.
+  bool lacks_lower_limit() const { return unidentifiable() || (interval.open_below && !at_bound); }
+  bool lacks_upper_limit() const { return unidentifiable() || (interval.open_above && !at_bound); }
+  /// Whether the data fix it to no better than a factor of two.
   bool poorly_known() const {
     return interval.open_below || interval.open_above || interval.high > 2 * interval.low;
   }
@@ -34,15 +37,15 @@ struct Correlation {
   double value;
 };
 
-/// A setting of theta_i or, where there are too many for a list, neighbouring ones together.
+/// How the fit agrees at a setting of theta_i or, where a list would be too long, at neighbouring ones.
 struct IncidenceFit {
   std::string channel;
-  /// Degrees: their mean, the first and the last.
+  /// The mean of the settings, the first and the last, in degrees.
   double theta_i, first, last;
   std::size_t samples;
-  /// Of ln(model/data) or, where the fit takes sigma, of (model - data)/sigma.
+  /// The rms of ln(model/data) or, where the fit takes sigma, of (model - data)/sigma.
   double rms;
-  /// Of the fitted material at theta_i, in the light of the measurement.
+  /// The DHR of the fitted material at theta_i, in the light of the measurement.
   double dhr;
 };
 
@@ -51,7 +54,7 @@ struct FitSummary {
   std::vector<Parameters> bands;
   std::vector<FittedVariable> variables;
   LinearUncertainty linear;
-  /// The strongest.
+  /// The strongest of all pairs.
   std::vector<Correlation> correlations;
   std::vector<IncidenceFit> incidences;
   std::vector<Sufficiency> sufficiency;
@@ -60,27 +63,8 @@ struct FitSummary {
   bool profiled;
 };
 
-/// `profile`: intervals by profile likelihood, else from standard errors. A better fit found on the way
-/// replaces fit.best.
+/// With `profile`, intervals come by profile likelihood, otherwise from standard errors. A better fit that is
+/// found on the way replaces fit.best.
 FitSummary summarize(const Engine& engine, const FitProblem& problem, Fit fit, bool profile);
-
-/// Why a fit is not to be used, in words for everybody; empty where nothing speaks against it. The first line
-/// of what follows.
-std::string verdict(const FitProblem& problem, const FitSummary& summary);
-
-/// The table on standard output.
-std::string summary_text(const FitProblem& problem, const FitSummary& summary);
-
-/// What a material file says besides its parameters.
-struct MaterialHeading {
-  std::string name;
-  std::string description;
-  std::string source;
-  std::string command;
-};
-
-/// The material file (TOML), with the statistics as comments.
-std::string material_text(const FitProblem& problem, const FitSummary& summary,
-                          const MaterialHeading& heading);
 
 }  // namespace brdftab

@@ -18,18 +18,17 @@ struct ParameterChoice {
   double maximum;
 };
 
-/// Of the fourteen, in the order of parameter_table; free within the table's ranges.
+/// In the order of parameter_table: every parameter is free within the table's range.
 std::vector<ParameterChoice> default_choices();
 
-/// Applies `--fix NAME=VALUE` and `--bounds NAME=LOW:HIGH`. Throws BadInput that names the option.
+/// Applies a `fix`, NAME=VALUE, and a `bounds`, NAME=LOW:HIGH. Throws BadInput that names the setting.
 void fix_parameter(std::vector<ParameterChoice>& choices, const std::string& text);
 void bound_parameter(std::vector<ParameterChoice>& choices, const std::string& text);
 
-/// Its solver's variable is ln x where x > 0, and asinh(x/scale) where x may be 0: linear below the scale,
-/// logarithmic above.
+/// The solver's variable is ln x or asinh(x/scale), as the parameter's row has it.
 struct FitVariable {
   std::size_t parameter;
-  /// Bands that share it.
+  /// The bands that share it.
   std::vector<std::size_t> bands;
   double minimum;
   double maximum;
@@ -37,13 +36,10 @@ struct FitVariable {
   const ParameterRow& row() const { return parameter_table[parameter]; }
   double to_solver(double value) const;
   double from_solver(double u) const;
-  /// dx/du
+  /// The derivative dx/du.
   double slope(double u) const;
   bool at_minimum(double value) const;
   bool at_maximum(double value) const;
-
- private:
-  double scale() const;
 };
 
 }  // namespace brdftab

@@ -9,7 +9,7 @@
 namespace brdftab {
 namespace {
 
-// From here on normal equations are faster than QR, and spectra, which reach it, are conditioned well enough.
+// From so many on normal equations are faster than QR, and spectra, which have them, are conditioned well.
 constexpr std::size_t many_variables = 40;
 
 class FitResiduals : public ceres::CostFunction {
@@ -38,7 +38,7 @@ class FitResiduals : public ceres::CostFunction {
 
  private:
   const FitProblem& problem_;
-  // One thread evaluates, as Ceres is asked to.
+  // Ceres is asked to evaluate in one thread, so that these need no lock.
   mutable std::vector<double> u_;
   mutable std::vector<double> evaluated_at_;
   mutable FitProblem::Residuals evaluated_;
@@ -47,14 +47,10 @@ class FitResiduals : public ceres::CostFunction {
 
 }  // namespace
 
+void silence_solver() { FLAGS_minloglevel = google::GLOG_FATAL; }
+
 Minimum minimize(const FitProblem& problem, std::vector<double> start, const Patience& patience,
                  const std::vector<bool>& held) {
-  // A step that leaves the model's numbers is shortened; nobody needs to read of it.
-  static const bool silenced = [] {
-    FLAGS_minloglevel = google::GLOG_FATAL;
-    return true;
-  }();
-  static_cast<void>(silenced);
   const auto& variables = problem.variables();
   std::vector<std::size_t> active;
   for (std::size_t v = 0; v < variables.size(); ++v)

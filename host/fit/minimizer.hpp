@@ -1,4 +1,4 @@
-// Ceres on a FitProblem: one descent from one start.
+// Ceres minimises a FitProblem: one descent from one start.
 #pragma once
 
 #include <vector>
@@ -14,14 +14,18 @@ struct Minimum {
   int iterations;
 };
 
-/// How far a descent goes.
+/// When a descent ends.
 struct Patience {
   int iterations = 100;
-  /// Relative decrease of the cost in one step that ends it.
+  /// A step that lowers the cost by no more than this part is the last.
   double tolerance = 1e-8;
 };
 
-/// Levenberg-Marquardt within the bounds, over the variables that are not `held` (empty: over all).
+/// Ceres logs to standard error each step that leaves the model's numbers, and shortens it; nobody needs to
+/// read of it. For a program to call once at its start: the level of the log is that of the whole process.
+void silence_solver();
+
+/// Levenberg-Marquardt runs within the bounds, over the variables that are not `held` (empty: over all).
 Minimum minimize(const FitProblem& problem, std::vector<double> start, const Patience& patience,
                  const std::vector<bool>& held = {});
 

@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::string_view allowed =
     "must be RELATIVE,FLOOR, the relative noise as 2% or 0.02 and the constant one in 1/sr above 0, either "
-    "of them or both `estimated`";
-// The search for a logarithm: a grid of this many points, of which the best is refined.
+    "of them or both 'estimated'";
+// A search for a logarithm looks at a grid of this many points and refines the best.
 constexpr int grid_points = 64;
 constexpr int digits = 24;  // binary
 // Beyond this ratio to the other part of the noise, a part does not matter to any sample.
@@ -26,11 +26,11 @@ std::optional<double> part(const std::string& text, std::string_view word, bool 
   if (is_percent) word.remove_suffix(1);
   const auto value = parse_number(trimmed(word));
   if (!value || !std::isfinite(*value) || *value < 0)
-    throw BadInput("--noise {}: {}", excerpt(text), allowed);
+    throw BadInput(GivenValue{"noise", excerpt(text)}, "{}", allowed);
   return is_percent ? *value / 100 : *value;
 }
 
-// exp of the logarithm in [low, high] that makes `minus_log_likelihood` least.
+// Finds the value in [low, high] that makes `minus_log_likelihood` least; the search is in its logarithm.
 template <class Function>
 double most_likely(double low, double high, const Function& minus_log_likelihood) {
   const double from = std::log(low), step = (std::log(high) - from) / grid_points;
@@ -44,12 +44,12 @@ double most_likely(double low, double high, const Function& minus_log_likelihood
   return std::exp(boost::math::tools::brent_find_minima(at, best - step, best + step, digits).first);
 }
 
-// Of one fit: f of the model, data - f, and 1 - leverage.
+// The samples of one fit: f of the model, data - f, and 1 - leverage.
 struct Samples {
   std::span<const double> f, errors, freedom;
 };
 
-// Twice -ln of the likelihood, up to a constant.
+// This is -2 ln of the likelihood, up to a constant.
 double misfit(const NoiseModel& noise, const Samples& samples) {
   const auto& [f, errors, freedom] = samples;
   double sum = 0;
@@ -67,11 +67,12 @@ double NoiseModel::sigma(double f) const { return std::hypot(relative * f, floor
 NoiseChoice noise_choice(const std::string& text) {
   if (trimmed(text) == "estimated") return {};
   const auto comma = text.find(',');
-  if (comma == std::string::npos) throw BadInput("--noise {}: {}", excerpt(text), allowed);
+  if (comma == std::string::npos) throw BadInput(GivenValue{"noise", excerpt(text)}, "{}", allowed);
   const std::string_view words = text;
   const NoiseChoice choice{.relative = part(text, trimmed(words.substr(0, comma)), true),
                            .floor = part(text, trimmed(words.substr(comma + 1)), false)};
-  if (choice.floor == 0. || choice.relative > 1.) throw BadInput("--noise {}: {}", excerpt(text), allowed);
+  if (choice.floor == 0. || choice.relative > 1.)
+    throw BadInput(GivenValue{"noise", excerpt(text)}, "{}", allowed);
   return choice;
 }
 

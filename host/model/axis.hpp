@@ -64,6 +64,7 @@ struct Grid {
   Axis phi_s = Axis::default_axis(AxisKind::phi_s);
 
   Axis& operator[](AxisKind kind);
+  const Axis& operator[](AxisKind kind) const { return const_cast<Grid&>(*this)[kind]; }
   std::size_t directions() const { return theta_i.size() * phi_i.size() * theta_s.size() * phi_s.size(); }
 };
 

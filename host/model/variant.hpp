@@ -22,7 +22,7 @@ struct VariantRow {
 
 const std::vector<VariantRow>& variant_table();
 
-/// The choice in force, by name.
+/// Names the choice in force.
 std::string_view choice_name(const VariantRow& row, const Variant& variant);
 
 }  // namespace brdftab

@@ -7,6 +7,7 @@ import math
 import random
 import re
 import statistics
+import tomllib
 import unittest
 
 from picture import Picture
@@ -46,10 +47,7 @@ class Fit(InFolder):
             self.assertEqual(sum(len(s["x"]) for s in series if s["marks"] == "dots"), 105)
             self.assertEqual(sum(s["marks"] == "line" for s in series), curves)
         self.assertIn("σsurface", Picture(pictures["correlations.svg"], data=False).texts())
-        text = material.read_text()
-        for words in ('name = "a paint"', "rms of ln(model/data)", "bounds 0.0001 to 100", "made up; data.csv", "brdftab fit ",
-                      "theta_i 0 to 80 degrees"):
-            self.assertIn(words, text)
+        self.assert_told(tomllib.loads(material.read_text()), result.stdout)
         fitted = run("evaluate", material, stdin=PAIRS)
         self.assertEqual(fitted.returncode, DONE, fitted.stderr)
         truth = run("evaluate", MATERIALS / "garnet-red-paint.toml", stdin=PAIRS)
@@ -67,6 +65,33 @@ class Fit(InFolder):
         for row in csv.DictReader(line for line in integrals.stdout.splitlines() if not line.startswith("#")):
             self.assertRegex(result.stdout, rf"theta_i = {float(row['theta_i_deg']):g} .*DHR {float(row['dhr']):.4g}\n")
 
+    def assert_told(self, written, printed):
+        """What the program prints of a fit, the material file has as data."""
+        self.assertEqual((written["name"], written["source"]), ("a paint", "made up; data.csv"))
+        fit = written["fit"]
+        self.assertTrue(fit["command"].startswith("brdftab fit "))
+        self.assertEqual([fit[key] for key in ("data", "light", "residuals", "weights", "loss", "intervals", "level", "starts")],
+                         ["data.csv", "unpolarized", "ln(model/data)", "aoi", "linear", "profile", 0.95, 24])
+        self.assertEqual([fit["samples"], fit["theta_i"], fit["max_theta"], fit["floor"]], [105, [0, 80], 80, 0])
+        self.assertIn(f"all samples alike: {fit['rms']:g}, each incidence alike: {fit['rms_by_incidence']:g}\n", printed)
+        self.assertIn(f"{fit['starts']} starts, {fit['converged']} converged, {fit['reached']} of them", printed)
+        self.assertIn(f"columns of unit length: {fit['condition']:.2g}\n", printed)
+        rows = {line.split()[0]: line for line in printed.splitlines() if re.match(r"\w+ +[\d.e-]+ +(-|[\d.e-]+)   ", line)}
+        self.assertEqual(sorted(rows), sorted(written["parameters"]))
+        for name, line in rows.items():
+            self.assertEqual(f"{written['parameters'][name]:.5g}", line.split()[1], name)
+            told = fit[name]
+            if "low" in told:
+                self.assertIn(f"   {told['low']:.4g} to {told['high']:.4g} ", line)
+            else:
+                self.assertIn("at bound", line)
+            self.assertEqual(told.get("at_bound", False), "at bound" in line)
+            flag = {None: "", "below": "no lower limit", "above": "no upper limit", "both": "unidentifiable"}[told.get("open")]
+            self.assertTrue(line.endswith(flag), line)
+        self.assertEqual(fit["rho_surface"]["bounds"], [1e-4, 100])
+        for at in fit["incidences"]:
+            self.assertRegex(printed, rf"theta_i = {at['theta_i']:g} +{at['rms']:.2g}\d* +\({at['samples']} samples\) ")
+
     def test_polarised_light_is_fitted_as_such(self):
         data = self.synthetic()
         swapped = self.folder / "swapped.csv"
@@ -77,8 +102,7 @@ class Fit(InFolder):
             self.assertEqual(result.returncode, DONE, result.stderr)
             rms = float(re.search(r"each incidence alike: (\S+)", result.stdout).group(1))
             self.assertEqual(rms < 1e-3, fits, result.stdout)
-            self.assertIn("light: s- and p-polarised" if polarization == "all" else "light: s-polarised",
-                          (self.folder / "x.toml").read_text())
+            self.assertEqual(tomllib.loads((self.folder / "x.toml").read_text())["fit"]["light"], polarization)
 
     def test_what_low_readings_left_out_do_is_told_and_mended(self):
         black = DATA / "noise" / "floor1e-3.csv"
@@ -91,18 +115,24 @@ class Fit(InFolder):
         self.assertIsNotNone(told, result.stderr)
         self.assertGreater(int(told.group(1)), 200)
         self.assertGreater(float(told.group(2)), 1.5)
-        self.assertIn(f"{told.group(1)} of 648 samples", output.read_text())
-        for options, words in ((["--weights", "sigma"], "sigma given with the data"),
-                               (["--noise", "2%,1e-3"], "a = 0.02 given, b = 0.001 1/sr given"),
-                               (["--noise", "2%,estimated"], "a = 0.02 given, b = 0.00")):
+        written = tomllib.loads(output.read_text())["fit"]
+        self.assertEqual(written["below_floor"], int(told.group(1)))
+        self.assertIn(f"{told.group(1)} of 648 samples", written["warnings"][-1])
+        for options, words, noise in ((["--weights", "sigma"], "sigma given with the data", (None, None, None)),
+                                      (["--noise", "2%,1e-3"], "a = 0.02 given, b = 0.001 1/sr given", (0.02, 0.001, None)),
+                                      (["--noise", "2%,estimated"], "a = 0.02 given, b = 0.00", (0.02, ..., ["floor"]))):
             result = run(*common, *options, "--report", self.folder / "report")
             self.assertEqual(result.returncode, DONE, result.stderr)
             self.assertNotIn("left out", result.stderr)
             self.assertNotIn("bad fit", result.stdout)
-            for text in (result.stdout, output.read_text()):
-                self.assertIn(words, text)
-                self.assertRegex(text, r"reduced chi-square (0\.9|1)\S* of 648 samples")
-                self.assertRegex(text, r"rms of ln\(model/data\) over the \d+ of 648 samples above 0.002 1/sr")
+            self.assertIn(words, result.stdout)
+            chi_square = re.search(r"reduced chi-square ((0\.9|1)\S*) of 648 samples", result.stdout).group(1)
+            above = re.search(r"rms of ln\(model/data\) over the (\d+) of 648 samples above 0.002 1/sr", result.stdout).group(1)
+            written = tomllib.loads(output.read_text())["fit"]
+            self.assertEqual(written["weights"], "sigma" if "--weights" in options else "noise")
+            for key, value in zip(("noise_relative", "noise_floor", "noise_estimated"), noise):
+                self.assertEqual(written.get(key), written[key] if value is ... else value, key)
+            self.assertEqual([f"{written['reduced_chi_square']:g}", written["rms_samples"]], [chi_square, int(above)])
             dhr = float(re.search(r"theta_i = 0 .*DHR (\S+)", result.stdout).group(1))
             self.assertAlmostEqual(dhr, 0.00525, delta=0.05 * 0.00525)
             fit = Picture(self.folder / "report" / "fit.svg").data["panels"][0]
@@ -132,6 +162,7 @@ class Fit(InFolder):
         first = result.stdout.splitlines()[0]
         self.assertRegex(first, r"^bad fit, not to be used as it is: model and data differ by a factor of \S+ \(rms of ln\(model/data\)")
         self.assertEqual(output.read_text().splitlines()[0], "# " + first)
+        self.assertTrue(tomllib.loads(output.read_text())["fit"]["warnings"][0].startswith("bad fit, not to be used as it is: "))
         self.assertEqual(run("evaluate", output, stdin=PAIRS).returncode, DONE)
 
     def test_help_tells_every_default(self):
@@ -139,6 +170,13 @@ class Fit(InFolder):
         for words in ("default 48", "default 1", "default 80", "default 0.002", "(default)",
                       "values to f in 1/sr; default 1", "unpolarized (default)", "linear (default)", "the default, or none"):
             self.assertIn(words, text)
+
+    def test_help_and_formats_name_every_key_of_the_material_file(self):
+        text = run("fit", "--help").stdout
+        keys = re.findall(r"^    (\w+) {2,}\S", text[text.index("  [fit] "):], re.M)
+        self.assertGreater(len(keys), 30)
+        documented = re.findall(r"^\| `(\w+)` \| ", (ROOT / "host" / "FORMATS.md").read_text(), re.M)
+        self.assertEqual([key for key in keys if key not in documented], [])
 
     def test_a_variant_is_fitted_as_such(self):
         variant = self.folder / "variant.toml"

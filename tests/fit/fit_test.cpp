@@ -8,7 +8,9 @@
 
 #include "bench/synthetic.hpp"
 #include "host/base/error.hpp"
+#include "host/base/statistics.hpp"
 #include "host/fit/fit_summary.hpp"
+#include "host/fit/uncertainty/fit_profile.hpp"
 #include "tests/fit/fit_device.hpp"
 #include "tests/random_materials.hpp"
 
@@ -45,9 +47,8 @@ TEST_F(FitTest, ResidualsAndTheirDerivativesAgreeWithAnyLossAndWeights) {
     FitOptions choice = options();
     choice.weights = weights;
     FitProblem problem(engine(), measurement, choice);
-    // In units of the residuals, half of what they are.
-    problem.loss_scale = weights == FitWeights::sigma ? 0.5 : 0.05;
     std::vector<double> u = problem.solver_variables(std::vector{paint});
+    problem.update_loss_scale(u);
     double sum = 0;
     for (const double weight : problem.bands()[0].weights) sum += weight;
     EXPECT_NEAR(sum / static_cast<double>(problem.samples()), 1, 1e-12);
@@ -144,13 +145,9 @@ TEST_F(FitTest, CauchyLossHardlyMovesWithOutliers) {
   FitProblem with(engine(), measurement, robust);
   FitProblem without(engine(), measurement, options(8));
   const auto median_error = [&](FitProblem& problem) {
-    const Fit found = fit(problem);
-    problem.loss_scale = std::numeric_limits<double>::infinity();
-    auto values = problem.residuals(found.best.u).values;
+    auto values = without.residuals(fit(problem).best.u).values;
     for (double& value : values) value = std::abs(value);
-    std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
-                     values.end());
-    return values[values.size() / 2];
+    return median(values);
   };
   EXPECT_LT(3 * median_error(with), median_error(without));
 }

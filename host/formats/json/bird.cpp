@@ -10,7 +10,6 @@
 #include "host/formats/export/grid_samples.hpp"
 #include "host/formats/json/json_file.hpp"
 #include "host/formats/registry.hpp"
-#include "host/model/fitted_intervals.hpp"
 #include "host/model/surface_vector.hpp"
 #include "host/table/table_content.hpp"
 
@@ -39,9 +38,32 @@ std::vector<double> turned(std::span<const double> azimuths, double by) {
   return result;
 }
 
+void add_uncertainty(ordered_json& entry, const ParameterRow& row, const FittedParameter& fitted,
+                     double level) {
+  if (!fitted.interval) return;
+  if (fitted.is_closed()) {
+    entry["uncertainty"] = (fitted.interval->high - fitted.interval->low) / 2;
+    entry["uncertainty_unit"] = row.unit;
+  }
+  entry["comments"] = fmt::format(
+      "{}{}", fitted.is_closed() ? fmt::format("uncertainty: half the {:.4g} % interval; ", 100 * level) : "",
+      text_of(fitted, level));
+}
+
+// How the fit as a whole stands; empty where it does not say.
+std::string fit_statistics(const Material& material) {
+  const auto& fit = material.fit();
+  if (!fit || !fit->condition) return {};
+  return fmt::format("condition number of J^T J {:.2g}{}", *fit->condition,
+                     fit->intervals == "profile"  ? "; intervals by profile likelihood"
+                     : fit->intervals == "linear" ? "; intervals by standard errors"
+                                                  : "");
+}
+
 // One for each parameter, or for each band where bands differ in it.
 ordered_json parameters(const Material& material) {
-  const auto intervals = fitted_intervals(material);
+  std::vector<FittedParameters> fitted(material.bands().size());
+  for (std::size_t b = 0; material.fit() && b < fitted.size(); ++b) fitted[b] = material.fit()->at_band(b);
   ordered_json list = ordered_json::array();
   for (std::size_t p = 0; p < parameter_table.size(); ++p) {
     const ParameterRow& row = parameter_table[p];
@@ -56,14 +78,7 @@ ordered_json parameters(const Material& material) {
           {"description", row.meaning},
           {"value", bands[b].parameters.*row.member},
           {"unit", row.unit}};
-      if (const auto& interval = intervals[b][p]) {
-        if (interval->is_closed) {
-          entry["uncertainty"] = (interval->high - interval->low) / 2;
-          entry["uncertainty_unit"] = row.unit;
-        }
-        entry["comments"] = fmt::format(
-            "{}{}", interval->is_closed ? "uncertainty: half the 95 % interval; " : "", interval->remark);
-      }
+      if (fitted[b][p]) add_uncertainty(entry, row, *fitted[b][p], material.fit()->level.value_or(0.95));
       list.push_back(std::move(entry));
     }
   }

@@ -1,4 +1,4 @@
-#include "host/fit/fit_uncertainty.hpp"
+#include "host/fit/uncertainty/fit_uncertainty.hpp"
 
 #include <boost/math/distributions/students_t.hpp>
 

@@ -1,4 +1,4 @@
-#include "host/fit/fit_bias.hpp"
+#include "host/fit/uncertainty/fit_bias.hpp"
 
 #include <fmt/format.h>
 
@@ -67,7 +67,7 @@ std::string text_of(const LowReadingsLeftOut& low, const FitOptions& options) {
         shortest(low.theta_i), low.fitted_sum / low.measured_sum);
   return fmt::format(
       "{} of {} samples ({:.0f} %) are left out as not above {} 1/sr: what is kept is too high on average, "
-      "which biases f and DHR upward: {}; --weights sigma (with a column sigma) and --noise (without) take "
+      "which biases f and DHR upward: {}; `weights` sigma (with a column sigma) and `noise` (without) take "
       "every reading",
       low.count, low.all, 100. * static_cast<double>(low.count) / static_cast<double>(low.all),
       shortest(options.floor), excess);

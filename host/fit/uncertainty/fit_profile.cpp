@@ -1,19 +1,18 @@
-// Profile likelihood: the intervals that remain when the other parameters follow.
+#include "host/fit/uncertainty/fit_profile.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <mutex>
-
-#include "host/fit/fit_uncertainty.hpp"
 
 namespace brdftab {
 namespace {
 
 constexpr std::size_t profiles_at_once = 32;
 constexpr int most_points = 16;
-// Of the rise: the interval's end to about one part in fifty of its half width.
+// The rise is met to this part, and with it the interval's end to about 1/50 of its half width.
 constexpr double tolerance = 0.02;
 constexpr Patience patience{.iterations = 60, .tolerance = 1e-7};
-// A cost this much lower, in units of the variance, is a better fit and not rounding.
+// A cost that is lower by this much, in units of the variance, is a better fit and not rounding.
 constexpr double better = 0.05;
 constexpr int most_repeats = 3;
 
@@ -36,7 +35,7 @@ class Profile {
     lowest_ = best;
   }
 
-  /// Where the square root of the rise reaches the target, on the side of `sign`.
+  /// Finds where the square root of the rise reaches the target, on the side of `sign`.
   End end(double sign, double standard_error) {
     const FitVariable& v = problem_.variables()[variable_];
     const double bound = v.to_solver(sign > 0 ? v.maximum : v.minimum);

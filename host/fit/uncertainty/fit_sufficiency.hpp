@@ -1,11 +1,11 @@
-// What the measurement lacks: which incidences know a parameter, and which further ones would.
+// What the measurement lacks: which incidences tell a parameter, and which further ones would.
 #pragma once
 
-#include "host/fit/fit_uncertainty.hpp"
+#include "host/fit/uncertainty/fit_uncertainty.hpp"
 
 namespace brdftab {
 
-/// Of one variable of a fit.
+/// What the measurement says about one variable of a fit.
 struct Sufficiency {
   std::size_t variable;
   /// Nine tenths of what the data say about it, and about nothing else, comes from incidences in this range,
@@ -18,7 +18,7 @@ struct Sufficiency {
   double gain;
 };
 
-/// Of the variables given, which must be active in `linear`.
+/// Judges the variables given, which must be active in `linear`.
 std::vector<Sufficiency> sufficiency(const Engine& engine, const FitProblem& problem, const Minimum& best,
                                      const LinearUncertainty& linear,
                                      const std::vector<std::size_t>& variables);
