@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "host/formats/hdf5/hdf5_handle.hpp"
+#include "host/table/chunk.hpp"
 
 namespace brdftab {
 namespace {
