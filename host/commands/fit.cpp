@@ -9,6 +9,7 @@
 #include "host/commands/measurement_option.hpp"
 #include "host/fit/fit_text.hpp"
 #include "host/fit/fitted_material.hpp"
+#include "host/formats/read_measurement.hpp"
 #include "host/model/measurement/measured_light.hpp"
 #include "host/model/variant.hpp"
 #include "host/pictures/fit_pictures.hpp"

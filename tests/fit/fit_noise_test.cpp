@@ -8,6 +8,7 @@
 #include "host/base/error.hpp"
 #include "host/compute/integrals.hpp"
 #include "host/fit/fit_summary.hpp"
+#include "host/formats/read_measurement.hpp"
 #include "host/model/material.hpp"
 #include "host/reference/model.hpp"
 #include "tests/fit/fit_device.hpp"

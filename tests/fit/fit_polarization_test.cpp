@@ -8,6 +8,8 @@
 
 #include "host/base/error.hpp"
 #include "host/fit/fit_summary.hpp"
+#include "host/formats/read_measurement.hpp"
+#include "host/formats/text/csv_measurement.hpp"
 #include "host/model/material.hpp"
 #include "host/model/measurement/measured_light.hpp"
 #include "host/reference/model.hpp"

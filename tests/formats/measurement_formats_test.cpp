@@ -10,7 +10,9 @@
 #include <sstream>
 
 #include "host/base/error.hpp"
+#include "host/formats/merl/merl_measurement.hpp"
 #include "host/formats/text/alta_astm_measurement.hpp"
+#include "host/formats/zemax/zemax_measurement.hpp"
 
 namespace brdftab {
 namespace {
@@ -85,7 +87,7 @@ TEST(AltaMeasurement, RefusesOtherParametrisations) {
             std::string::npos);
   EXPECT_NE(refusal(read_alta_measurement, "#DIM 4 1\n0 0 1.6 0 1\n")
                 .find("theta_s = 1.6: must be from 0 to below pi/2 radians; where the file has degrees, "
-                      "--angles degrees"),
+                      "`angles` degrees"),
             std::string::npos);
   EXPECT_NE(refusal(read_alta_measurement, "#DIM 4 1\n0 0 1 x 1\n").find("data:2: x"), std::string::npos);
 }

@@ -9,7 +9,7 @@
 
 #include "host/base/error.hpp"
 #include "host/base/numbers.hpp"
-#include "host/model/measurement/measurement.hpp"
+#include "host/formats/read_measurement.hpp"
 #include "tests/measured_files.hpp"
 
 namespace brdftab {
@@ -30,7 +30,7 @@ class Units : public testing::Test {
   std::string doubts(const Measurement& m) {
     std::string text;
     for (const auto& warning : m.warnings)
-      if (warning.find("--") != std::string::npos) text += warning + "\n";
+      if (warning.find("`") != std::string::npos) text += warning + "\n";
     return text;
   }
   // Told in the wrong file, right in the right one, and equal once mended.
@@ -62,13 +62,13 @@ MeasurementOptions with_values(ValueKind kind) { return {.values = kind}; }
 
 TEST_F(Units, AnglesInRadiansAreToldAndMended) {
   const auto rows = in_plane({});
-  expect_mended("csv", csv(rows, as_is, radian, radian), csv(rows), "--angles radians",
+  expect_mended("csv", csv(rows, as_is, radian, radian), csv(rows), "`angles` radians",
                 with_angles("radians"));
   const auto wide = in_plane({}, 37.5, 20);
-  expect_mended("csv", csv(wide, as_is, radian, radian), csv(wide), "--angles radians",
+  expect_mended("csv", csv(wide, as_is, radian, radian), csv(wide), "`angles` radians",
                 with_angles("radians"));
-  expect_mended("zemax", zemax({}, as_is, radian), zemax({}), "--angles radians", with_angles("radians"));
-  expect_mended("csv", csv(rows, as_is, 1, radian), csv(rows), "--angles azimuth-radians",
+  expect_mended("zemax", zemax({}, as_is, radian), zemax({}), "`angles` radians", with_angles("radians"));
+  expect_mended("csv", csv(rows, as_is, 1, radian), csv(rows), "`angles` azimuth-radians",
                 with_angles("azimuth-radians"));
 }
 
@@ -81,7 +81,7 @@ TEST_F(Units, AnglesInDegreesWhereTheLayoutHasRadiansNameTheOption) {
       read(format, wrong);
       FAIL() << format;
     } catch (const BadInput& error) {
-      EXPECT_NE(std::string(error.what()).find("--angles degrees"), std::string::npos) << error.what();
+      EXPECT_NE(std::string(error.what()).find("`angles` degrees"), std::string::npos) << error.what();
     }
     expect_equal(read(format, wrong, with_angles("degrees")), read(format, right));
   }
@@ -106,14 +106,14 @@ TEST_F(Units, ReflectanceFactorsAreToldAndMended) {
   const Change pi_f = [](double f, double) { return std::numbers::pi * f; };
   const Change percent = [](double f, double) { return 100 * std::numbers::pi * f; };
   const auto rows = in_plane(white), dark = in_plane({0.05, 0.3, 0.1});
-  expect_mended("csv", csv(rows, pi_f), csv(rows), "--values pi-f", with_values(ValueKind::pi_f));
-  expect_mended("alta", alta(rows, pi_f), alta(rows), "--values pi-f", with_values(ValueKind::pi_f));
-  expect_mended("csv", csv(dark, percent), csv(dark), "--values percent", with_values(ValueKind::percent));
-  expect_mended("astm", astm(rows, percent), astm(rows), "--values percent", with_values(ValueKind::percent));
-  expect_mended("zemax", zemax(white, percent), zemax(white), "--values percent",
+  expect_mended("csv", csv(rows, pi_f), csv(rows), "`values` pi-f", with_values(ValueKind::pi_f));
+  expect_mended("alta", alta(rows, pi_f), alta(rows), "`values` pi-f", with_values(ValueKind::pi_f));
+  expect_mended("csv", csv(dark, percent), csv(dark), "`values` percent", with_values(ValueKind::percent));
+  expect_mended("astm", astm(rows, percent), astm(rows), "`values` percent", with_values(ValueKind::percent));
+  expect_mended("zemax", zemax(white, percent), zemax(white), "`values` percent",
                 with_values(ValueKind::percent));
-  expect_mended("zemax", zemax(white, pi_f), zemax(white), "--values pi-f", with_values(ValueKind::pi_f));
-  EXPECT_NE(doubts(read("csv", csv(rows, [](double f, double) { return 100 * f; }))).find("--scale 0.01"),
+  expect_mended("zemax", zemax(white, pi_f), zemax(white), "`values` pi-f", with_values(ValueKind::pi_f));
+  EXPECT_NE(doubts(read("csv", csv(rows, [](double f, double) { return 100 * f; }))).find("`scale` 0.01"),
             std::string::npos);
 }
 
@@ -122,7 +122,7 @@ TEST_F(Units, FewSamplesAtEachIncidenceTellPercentToo) {
   for (const double theta_s : {0., 45.}) {
     const auto rows = one_view(white, theta_s);
     const std::string factor = csv(rows, [](double f, double) { return 100 * std::numbers::pi * f; });
-    EXPECT_NE(doubts(read("csv", factor)).find("--values percent"), std::string::npos)
+    EXPECT_NE(doubts(read("csv", factor)).find("`values` percent"), std::string::npos)
         << doubts(read("csv", factor));
     const Measurement mended = read("csv", factor, with_values(ValueKind::percent)),
                       right = read("csv", csv(rows));
@@ -141,16 +141,16 @@ TEST_F(Units, LogarithmsAreToldAndMended) {
   const Change log10 = [](double f, double) { return std::log10(f); };
   const Change ln = [](double f, double) { return std::log(f); };
   const Change decibel = [](double f, double) { return 10 * std::log10(f); };
-  expect_mended("csv", csv(rows, log10), csv(rows), "--values log10", with_values(ValueKind::log10));
-  expect_mended("alta", alta(rows, ln), alta(rows), "--values ln", with_values(ValueKind::ln));
-  expect_mended("astm", astm(rows, decibel), astm(rows), "--values db", with_values(ValueKind::decibel));
+  expect_mended("csv", csv(rows, log10), csv(rows), "`values` log10", with_values(ValueKind::log10));
+  expect_mended("alta", alta(rows, ln), alta(rows), "`values` ln", with_values(ValueKind::ln));
+  expect_mended("astm", astm(rows, decibel), astm(rows), "`values` db", with_values(ValueKind::decibel));
   // No sample is above 0: refused, with the options.
   for (const Change& change : {log10, ln, decibel}) {
     try {
       read("csv", csv(faint, change));
       FAIL();
     } catch (const BadInput& error) {
-      EXPECT_NE(std::string(error.what()).find("--values db"), std::string::npos) << error.what();
+      EXPECT_NE(std::string(error.what()).find("`values` db"), std::string::npos) << error.what();
     }
   }
   expect_equal(read("csv", csv(faint, decibel), with_values(ValueKind::decibel)), read("csv", csv(faint)));
@@ -165,7 +165,7 @@ TEST_F(Units, NoiseAboutZeroIsNoLogarithm) {
       text += fmt::format("{},{},0,{}\n", i, s,
                           0.1 * std::exp(-std::pow((s - i) / 8., 2)) + (state / 4294967296. - 0.55));
     }
-  EXPECT_EQ(doubts(read("csv", text)).find("--values"), std::string::npos) << doubts(read("csv", text));
+  EXPECT_EQ(doubts(read("csv", text)).find("`values`"), std::string::npos) << doubts(read("csv", text));
 }
 
 TEST_F(Units, UncertaintiesFollowTheValues) {
@@ -190,20 +190,20 @@ TEST_F(Units, UncertaintiesFollowTheValues) {
 TEST_F(Units, CosineWeightedValuesAreToldAndMended) {
   const Change weighted = [](double f, double theta_s) { return f * std::cos(theta_s * radian); };
   const Surface glossy{0.2, 2, 0.1};
-  expect_mended("csv", csv(in_plane({}), weighted), csv(in_plane({})), "--values cosine-weighted",
+  expect_mended("csv", csv(in_plane({}), weighted), csv(in_plane({})), "`values` cosine-weighted",
                 with_values(ValueKind::cosine_weighted));
   expect_mended("astm", astm(in_plane(glossy, 25, 4), weighted), astm(in_plane(glossy, 25, 4)),
-                "--values cosine-weighted", with_values(ValueKind::cosine_weighted));
-  expect_mended("zemax", zemax(glossy, weighted), zemax(glossy), "--values cosine-weighted",
+                "`values` cosine-weighted", with_values(ValueKind::cosine_weighted));
+  expect_mended("zemax", zemax(glossy, weighted), zemax(glossy), "`values` cosine-weighted",
                 with_values(ValueKind::cosine_weighted));
 }
 
 TEST_F(Units, WavelengthsInOtherUnitsAreToldAndMended) {
   const auto rows = in_plane({});
   const std::string nm = astm(rows, as_is, radian, "450,550");
-  expect_mended("astm", astm(rows, as_is, radian, "0.45,0.55"), nm, "--wavelength-unit um",
+  expect_mended("astm", astm(rows, as_is, radian, "0.45,0.55"), nm, "`wavelength_unit` um",
                 {.wavelength_unit = parse_wavelength_unit("um")});
-  expect_mended("astm", astm(rows, as_is, radian, "4.5e-7,5.5e-7"), nm, "--wavelength-unit m",
+  expect_mended("astm", astm(rows, as_is, radian, "4.5e-7,5.5e-7"), nm, "`wavelength_unit` m",
                 {.wavelength_unit = parse_wavelength_unit("m")});
   // Those that say their unit need no option.
   for (const char* names : {"0.45um,0.55um", "0.45 \u00b5m,0.55 \u03bcm", "4.5e-7m,550e-9m"})
@@ -226,7 +226,7 @@ TEST_F(Units, ColumnsOfWavelengthsSayTheirUnit) {
   EXPECT_EQ(nm.channels, (std::vector<std::string>{"450", "550"}));
   expect_equal(read("csv", text("wavelength_um", "0.45", "0.55", "0.450")), nm);
   const std::string wrong = text("wavelength_nm", "0.45", "0.55", "0.45");
-  EXPECT_NE(doubts(read("csv", wrong)).find("--wavelength-unit um"), std::string::npos);
+  EXPECT_NE(doubts(read("csv", wrong)).find("`wavelength_unit` um"), std::string::npos);
   expect_equal(read("csv", wrong, {.wavelength_unit = parse_wavelength_unit("um")}), nm);
   // One channel, whatever its text.
   for (const char* other : {"450.0", "4.5e2", "450nm", "450 nm", "0.45um"})

@@ -1,4 +1,5 @@
-// MERL binary files as measurements: between the centres of cells, in plane or over the hemisphere.
+#include "host/formats/merl/merl_measurement.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -6,7 +7,6 @@
 #include "host/base/angle.hpp"
 #include "host/base/error.hpp"
 #include "host/formats/merl/merl_file.hpp"
-#include "host/formats/text/alta_astm_measurement.hpp"
 #include "host/model/surface_vector.hpp"
 
 namespace brdftab {
@@ -70,7 +70,7 @@ std::vector<Direction> over_hemisphere(double theta_i, std::size_t count, Random
 Measurement read_merl_measurement(std::istream& in, const std::string& source,
                                   const MeasurementOptions& options) {
   if (options.angles)
-    throw BadInput("{}: --angles {}: a MERL file holds no angles", source, options.angles->name);
+    throw BadInput("{}: `angles` {}: a MERL file holds no angles", source, options.angles->name);
   const MerlFile file = MerlFile::read(in, source);
   Measurement measurement{.source = source,
                           .channels = {"R", "G", "B"},
@@ -105,12 +105,12 @@ Measurement read_merl_measurement(std::istream& in, const std::string& source,
   measurement.notes.push_back(fmt::format(
       "{} directions{}, in {} cells: theta_i {} to {} by {}; ln f is interpolated between the centres of "
       "cells, each the mean over about a degree; f is the mean of both orders of light and view, and so is a "
-      "model's beside it: f of one order is not in the file, and differs from it the less with --model "
+      "model's beside it: f of one order is not in the file, and differs from it the less with `model` "
       "normalization=reciprocal",
       taken,
       is_in_plane
           ? " in plane"
-          : fmt::format(" over the hemisphere (--merl-samples), drawn with seed {} (--merl-seed), {:.0f} % "
+          : fmt::format(" over the hemisphere (`merl_samples`), drawn with seed {} (`merl_seed`), {:.0f} % "
                         "of them uniform in solid angle, the others near the mirror and retro directions",
                         options.merl_seed, 100 * (1 - near_mirror - near_retro)),
       MerlFile::plane, first, largest_theta, step_i));

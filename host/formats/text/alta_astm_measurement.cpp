@@ -1,5 +1,3 @@
-// ALTA and ASTM text: lists of pairs of directions in radians, both away from the surface, so that the
-// specular direction lies at phi_i + 180 degrees.
 #include "host/formats/text/alta_astm_measurement.hpp"
 
 #include <algorithm>
@@ -55,12 +53,12 @@ class Rows {
         throw BadInput(
             "{}: {} = {}: must be from 0 to below {}{}", where, name, shortest(given),
             unit_.theta == 1 ? "90 degrees" : "pi/2 radians",
-            unit_.theta == 1 ? "" : "; where the file has degrees, --angles degrees takes them so");
+            unit_.theta == 1 ? "" : "; where the file has degrees, `angles` degrees takes them so");
     if (!std::isfinite(phi) || std::isinf(brdf))
       throw BadInput("{}: an azimuth or a value is not finite", where);
     if (std::abs(phi) > 4 * half_turn())
       throw BadInput(
-          "{}: an azimuth of {} {} is over two turns; --angles says the unit: degrees, radians or "
+          "{}: an azimuth of {} {} is over two turns; `angles` says the unit: degrees, radians or "
           "azimuth-radians",
           where, shortest(phi), unit_.phi == 1 ? "degrees" : "radians");
     if (std::max(sample.pair.theta_i, sample.pair.theta_s) >= 90)

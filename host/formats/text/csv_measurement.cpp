@@ -1,11 +1,13 @@
+#include "host/formats/text/csv_measurement.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "host/base/error.hpp"
 #include "host/base/numbers.hpp"
+#include "host/model/direction_list.hpp"
 #include "host/model/measurement/measured_light.hpp"
-#include "host/model/measurement/measurement.hpp"
 
 namespace brdftab {
 namespace {
@@ -25,7 +27,7 @@ bool take_angles(DirectionPair& pair, const AngleUnit& unit, const Csv& csv) {
   pair.phi = in_degrees(pair.phi, unit.phi);
   const double theta = std::max(pair.theta_i, pair.model_theta_s());
   if (theta > 90 + beyond_rim)
-    throw BadInput("{}: theta = {} degrees, by --angles {}: must be below 90", csv.where(), shortest(theta),
+    throw BadInput("{}: theta = {} degrees, by `angles` {}: must be below 90", csv.where(), shortest(theta),
                    unit.name);
   return theta < 90;
 }

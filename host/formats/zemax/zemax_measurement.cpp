@@ -1,4 +1,5 @@
-// Zemax OpticStudio's tabular BSDF as a measurement.
+#include "host/formats/zemax/zemax_measurement.hpp"
+
 #include <cmath>
 #include <numbers>
 #include <span>
@@ -6,7 +7,6 @@
 
 #include "host/base/error.hpp"
 #include "host/base/numbers.hpp"
-#include "host/formats/text/alta_astm_measurement.hpp"
 #include "host/formats/zemax/zemax_file.hpp"
 #include "host/model/surface_vector.hpp"
 
@@ -32,7 +32,7 @@ void take_angles(ZemaxFile& file, const AngleUnit& unit, const std::string& sour
   for (const double theta_i : file.incidence)
     if (!(theta_i < 90))
       throw BadInput(
-          "{}: AngleOfIncidence {} degrees: must be below 90; --angles {} takes the file's angles so", source,
+          "{}: AngleOfIncidence {} degrees: must be below 90; `angles` {} takes the file's angles so", source,
           shortest(theta_i), unit.name);
 }
 

@@ -48,13 +48,13 @@ std::string doubt_of_degrees(std::span<const double> theta_i, std::span<const do
     const auto [low, high] = std::minmax_element(theta_i.begin(), theta_i.end());
     if (low == high || (*low == *high && are_round(theta_i) && are_round(theta_s))) return {};
     return fmt::format(
-        "no theta_i is above {:.4g}, no theta_s above {:.4g} degrees: these look like radians; --angles "
+        "no theta_i is above {:.4g}, no theta_s above {:.4g} degrees: these look like radians; `angles` "
         "radians takes them so",
         highest_i, highest_s);
   }
   if (highest_phi > 1.5 && !are_round(phi) && are_multiples(phi, degrees_per_radian, 1, 0.02))
     return fmt::format(
-        "no phi is above {:.5g} degrees, and all are whole degrees if taken as radians; --angles "
+        "no phi is above {:.5g} degrees, and all are whole degrees if taken as radians; `angles` "
         "azimuth-radians takes them so",
         highest_phi);
   return {};

@@ -80,7 +80,7 @@ std::string doubt_of_azimuth(const Measurement& measurement) {
   if (!(forward > 0 && backward > suspicious_asymmetry * forward)) return {};
   return fmt::format(
       "at theta_i = {} degrees the peak is on the backward side, {:.3g} against {:.3g} 1/sr: unless the "
-      "material retro-reflects, the azimuth is counted from the other side; --flip-azimuth turns it",
+      "material retro-reflects, the azimuth is counted from the other side; `flip_azimuth` turns it",
       shortest(highest), backward, forward);
 }
 
@@ -118,7 +118,7 @@ std::string doubt_of_cosine(const Measurement& measurement) {
     return {};
   return fmt::format(
       "light and view cannot change places: ln f differs by {:.2g} in {} pairs of directions in plane, and "
-      "by {:.2g} if divided by cos theta_s: this looks like f cos theta_s; --values cosine-weighted mends "
+      "by {:.2g} if divided by cos theta_s: this looks like f cos theta_s; `values` cosine-weighted mends "
       "that",
       std::sqrt(as_read / count), pairs, std::sqrt(if_divided / count));
 }
@@ -148,7 +148,7 @@ std::string doubt_of_geometry(const Measurement& measurement) {
   const bool is_one = std::all_of(views.begin(), views.end(), [](const Views& v) { return v.size() == 1; });
   return fmt::format(
       "{} of {} incidences have {}: how f falls off along theta_s and phi is hardly in the data, so widths "
-      "(rho) and heights (sigma) of lobes are not told apart; --fix holds what is known",
+      "(rho) and heights (sigma) of lobes are not told apart; `fix` holds what is known",
       few, views.size(),
       is_one ? std::string("one direction of view only")
              : fmt::format("fewer than {} directions of view", few_views));
@@ -170,9 +170,9 @@ std::string doubt_of_wavelengths(const Measurement& measurement) {
                                  low, high, least_plausible_nm, largest_plausible_nm / 1e3);
   for (const WavelengthUnit& unit : wavelength_units)
     if (unit.nm != 1 && is_plausible_wavelength(low * unit.nm) && is_plausible_wavelength(high * unit.nm))
-      return line + fmt::format(": as {} they are {:.6g} to {:.6g} nm; --wavelength-unit {} takes them so",
+      return line + fmt::format(": as {} they are {:.6g} to {:.6g} nm; `wavelength_unit` {} takes them so",
                                 unit.name, low * unit.nm, high * unit.nm, unit.name);
-  return line + "; --wavelength-unit says their unit";
+  return line + "; `wavelength_unit` says their unit";
 }
 
 }  // namespace brdftab

@@ -91,10 +91,10 @@ std::string doubt_of_level(const Measurement& measurement) {
       level, reflectance);
   if (reflectance <= suspicious_reflectance * std::numbers::pi)
     return what +
-           "pi f, which --values pi-f (or --scale 0.3183099) mends, or like percent of a dark surface, which "
-           "--values percent mends";
+           "pi f, which `values` pi-f (or `scale` 0.3183099) mends, or like percent of a dark surface, which "
+           "`values` percent mends";
   return what +
-         "percent: --values percent mends 100 pi f (100 of a perfect diffuser), --scale 0.01 mends 100 f";
+         "percent: `values` percent mends 100 pi f (100 of a perfect diffuser), `scale` 0.01 mends 100 f";
 }
 
 std::string doubt_of_logarithms(const Measurement& measurement) {
@@ -117,9 +117,9 @@ std::string doubt_of_logarithms(const Measurement& measurement) {
   if (median > darkest * std::numbers::ln10) likely.push_back("ln");
   likely.push_back("db");
   return fmt::format(
-      "{} of {} values are negative, in whole stretches: they look like logarithms of f; --values {} takes "
+      "{} of {} values are negative, in whole stretches: they look like logarithms of f; `values` {} takes "
       "them so (log10 f, ln f, 10 log10 f)",
-      negative, count, fmt::join(likely, ", --values "));
+      negative, count, fmt::join(likely, ", `values` "));
 }
 
 }  // namespace brdftab

@@ -35,7 +35,7 @@ void take_means(Measurement& measurement) {
   }
   measurement.samples = std::move(means);
   measurement.warnings.push_back(
-      "f of unpolarised light is taken as the mean of brdf_s and brdf_p; --polarization s, p or all takes "
+      "f of unpolarised light is taken as the mean of brdf_s and brdf_p; `polarization` s, p or all takes "
       "them as they are");
 }
 
@@ -49,14 +49,14 @@ std::vector<Polarization> light_named(const std::string& name) {
   if (name == "all") return {Polarization::s, Polarization::p};
   const auto at = std::find(polarization_names.begin(), polarization_names.end(), name);
   if (at == polarization_names.end())
-    throw BadInput("--polarization {}: must be unpolarized, s, p or all", name);
+    throw BadInput(GivenValue{"polarization", name}, "must be unpolarized, s, p or all");
   return {static_cast<Polarization>(at - polarization_names.begin())};
 }
 
 void choose_light(Measurement& measurement, const std::vector<Polarization>& light, bool tells_light) {
   if (!tells_light) {
     if (light.size() > 1)
-      throw BadInput("{}: --polarization all takes a CSV file with the columns brdf_s and brdf_p",
+      throw BadInput("{}: `polarization` all takes a CSV file with the columns brdf_s and brdf_p",
                      measurement.source);
     for (MeasuredSample& sample : measurement.samples) sample.share_s = share_s(light.front());
     return;
@@ -74,7 +74,7 @@ void choose_light(Measurement& measurement, const std::vector<Polarization>& lig
       if (has(measurement, other))
         there.push_back(fmt::format("{} ({})", brdf_name(other), light_word(share_s(other))));
     throw BadInput(
-        "{}: has no column {} (or {}_per_sr) of {} light; it has {}: --polarization takes what is there",
+        "{}: has no column {} (or {}_per_sr) of {} light; it has {}: `polarization` takes what is there",
         measurement.source, brdf_name(wanted), brdf_name(wanted), light_word(share_s(wanted)),
         fmt::join(there, ", "));
   }

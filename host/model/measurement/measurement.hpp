@@ -2,8 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
-#include <istream>
 #include <limits>
 #include <optional>
 #include <string>
@@ -79,18 +77,6 @@ struct MeasurementOptions {
   /// Of one setting of theta_i, degrees; 0 tells every two numbers apart.
   double incidence_width = Incidences::usual_width;
 };
-
-/// Reads a file ("-": standard input, CSV). Values that are nan, and what a format itself repeats, are set
-/// aside and counted; zero and negative ones are counted and kept, and so are equal readings of one
-/// direction. Throws FileError where it cannot be read, and BadInput `FILE:LINE: ...` where its content is no
-/// measurement.
-Measurement read_measurement(const std::filesystem::path& file, const MeasurementOptions& options = {});
-
-/// CSV with the columns of `read_directions`, of brdf, brdf_s and brdf_p those that are there (1/sr;
-/// brdf_per_sr and the like are taken too), and optionally channel, wavelength_nm or wavelength_um, and
-/// sigma, or sigma_s and sigma_p (1/sr). Of the options it takes `angles`.
-Measurement read_csv_measurement(std::istream& in, const std::string& source,
-                                 const MeasurementOptions& options = {});
 
 /// Channels that are the same wavelength, whatever their text, become one; names with another unit than nm,
 /// or in `unit`, become numbers in nm.

@@ -1,0 +1,16 @@
+// Measured files of every format that the program knows.
+#pragma once
+
+#include <filesystem>
+
+#include "host/model/measurement/measurement.hpp"
+
+namespace brdftab {
+
+/// Reads a file ("-": standard input, CSV) and cleans what it holds. Values that are nan, and what a format
+/// itself repeats, are set aside and counted; zero and negative ones are counted and kept, and so are equal
+/// readings of one direction. Throws FileError where the file cannot be read, and BadInput `FILE:LINE: ...`
+/// where its content is no measurement.
+Measurement read_measurement(const std::filesystem::path& file, const MeasurementOptions& options = {});
+
+}  // namespace brdftab
