@@ -48,10 +48,9 @@ MOST_FILES = 25
 UPWARD = {
     ("host/compute/evaluate.cpp", "host/reference/model.hpp"),
     ("host/compute/integrals.cpp", "host/reference/model.hpp"),
-    ("host/model/measurement/measurement.cpp", "host/formats/text/alta_astm_measurement.hpp"),
 }
-CROWDED = {"host/commands", "kernels"}
-ON_OTHER_FLOORS = {"host/formats/format.hpp", "host/table/slab_ring.hpp"}
+CROWDED = {"kernels"}
+ON_OTHER_FLOORS = {"host/table/slab_ring.hpp"}
 
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]+[<"]([^>"]+)[>"]', re.MULTILINE)
 COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)

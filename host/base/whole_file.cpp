@@ -1,18 +1,31 @@
 #include "host/base/whole_file.hpp"
 
 #include <cerrno>
-#include <fstream>
 #include <system_error>
 
 #include "host/base/error.hpp"
 
 namespace brdftab {
 
-std::string read_whole(const std::filesystem::path& file) {
+std::ifstream open_file(const std::filesystem::path& file) {
   std::error_code error;
   if (std::filesystem::is_directory(file, error)) throw FileError("{}: is a folder", file.string());
   std::ifstream in(file, std::ios::binary);
   if (!in) throw FileError("{}: cannot be opened: {}", file.string(), std::generic_category().message(errno));
+  return in;
+}
+
+std::string read_beginning(const std::filesystem::path& file, std::size_t bytes) {
+  std::ifstream in = open_file(file);
+  std::string beginning(bytes, '\0');
+  in.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
+  if (in.bad()) throw FileError("{}: cannot be read", file.string());
+  beginning.resize(static_cast<std::size_t>(in.gcount()));
+  return beginning;
+}
+
+std::string read_whole(const std::filesystem::path& file) {
+  std::ifstream in = open_file(file);
   std::string bytes;
   in.seekg(0, std::ios::end);
   if (const auto size = in.tellg(); size > 0) bytes.resize(static_cast<std::size_t>(size));

@@ -9,6 +9,7 @@
 #include "host/base/numbers.hpp"
 #include "host/base/whole_file.hpp"
 #include "host/commands/command.hpp"
+#include "host/formats/read_material.hpp"
 
 namespace brdftab {
 namespace {
@@ -84,7 +85,7 @@ void add_noise(std::vector<PolarizedBrdf>& values, const Options& options) {
 ExitStatus run(const Options& options, const CommonOptions& common) {
   if (options.material == "-" && options.pairs == "-")
     throw BadInput("MATERIAL and PAIRS cannot both be standard input");
-  const Material material = Material::read(options.material);
+  const Material material = read_material(options.material);
   if (options.engine == "reference" && options.precision == "float32")
     throw BadInput("--engine reference computes in float64 only");
   std::optional<PartialFile> file;
@@ -124,7 +125,10 @@ ExitStatus run(const Options& options, const CommonOptions& common) {
 
 std::function<ExitStatus()> evaluate_command(CLI::App& parser, const CommonOptions& common) {
   auto options = std::make_shared<Options>();
-  parser.add_option("MATERIAL", options->material, "Material file (TOML)")->required();
+  parser
+      .add_option("MATERIAL", options->material,
+                  "Material file (TOML), or a table or simulator's file, for the material inside")
+      ->required();
   parser.add_option("PAIRS", options->pairs,
                     "CSV with the columns theta_i_deg, theta_s_deg, phi_deg (or phi_s_deg), in degrees; "
                     "default: standard input");

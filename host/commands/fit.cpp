@@ -6,7 +6,7 @@
 #include "host/base/numbers.hpp"
 #include "host/base/whole_file.hpp"
 #include "host/commands/command.hpp"
-#include "host/commands/measurement_option.hpp"
+#include "host/commands/options/measurement_option.hpp"
 #include "host/fit/fit_text.hpp"
 #include "host/fit/fitted_material.hpp"
 #include "host/formats/read_measurement.hpp"

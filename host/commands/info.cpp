@@ -5,6 +5,7 @@
 #include "host/base/numbers.hpp"
 #include "host/commands/command.hpp"
 #include "host/formats/open_table.hpp"
+#include "host/table/table_reader.hpp"
 
 namespace brdftab {
 namespace {

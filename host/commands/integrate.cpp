@@ -3,6 +3,7 @@
 #include "host/base/numbers.hpp"
 #include "host/commands/command.hpp"
 #include "host/compute/integrals.hpp"
+#include "host/formats/read_material.hpp"
 #include "host/table/energy.hpp"
 
 namespace brdftab {
@@ -36,7 +37,7 @@ std::string bhr_line(const std::optional<Engine>& engine, const Band& band, cons
 }
 
 ExitStatus run(const Options& options, const CommonOptions& common) {
-  const Material material = Material::read(options.material);
+  const Material material = read_material(options.material);
   const Axis theta_i =
       options.theta_i ? parse_axis_option(AxisKind::theta_i, *options.theta_i) : material.grid().theta_i;
   const Polarization polarization = polarization_of(options.polarization);
@@ -85,7 +86,10 @@ ExitStatus run(const Options& options, const CommonOptions& common) {
 
 std::function<ExitStatus()> integrate_command(CLI::App& parser, const CommonOptions& common) {
   auto options = std::make_shared<Options>();
-  parser.add_option("MATERIAL", options->material, "Material file (TOML)")->required();
+  parser
+      .add_option("MATERIAL", options->material,
+                  "Material file (TOML), or a table or simulator's file, for the material inside")
+      ->required();
   parser.add_option("--theta-i", options->theta_i,
                     "Polar angles of incidence, degrees: start:stop:step, or angles separated by commas; "
                     "default: the material's");

@@ -2,8 +2,7 @@
 
 #include "host/base/error.hpp"
 #include "host/base/numbers.hpp"
-#include "host/formats/format.hpp"
-#include "host/formats/open_table.hpp"
+#include "host/formats/read_material.hpp"
 
 namespace brdftab {
 namespace {
@@ -25,15 +24,6 @@ fs::path file_in_folder(const fs::path& folder, const std::string& material, std
 }
 
 }  // namespace
-
-Material read_material(const std::string& input) {
-  if (!is_table(input)) return read_material_file(input);
-  const auto reader = open_table(input);
-  const AttributeValue* text = reader->info().attribute("material");
-  const auto* found = text ? std::get_if<std::string>(text) : nullptr;
-  if (!found) throw BadInput("{}: has no attribute material: it is no table of this program", input);
-  return Material::parse(*found, fmt::format("{}, attribute material", input));
-}
 
 bool names_folder(const std::vector<std::string>& materials, const std::string& output) {
   std::error_code error;

@@ -19,10 +19,7 @@ struct MaterialOutput {
 /// Whether -o names a folder: several materials, a name that ends with '/', or a folder that exists.
 bool names_folder(const std::vector<std::string>& materials, const std::string& output);
 
-/// From a material file, or from an HDF5 or OpenEXR table that carries it.
-Material read_material(const std::string& input);
-
-/// Reads the materials, each from its file or from a table that carries it. In a folder a file is called as
+/// Reads the materials, each from whatever file holds it. In a folder a file is called as
 /// the material's, with `suffix`. Throws BadInput where two would have one name, FileError where one exists
 /// and `force` is not set, or where the folder is missing.
 std::vector<MaterialOutput> plan_outputs(const std::vector<std::string>& materials, const std::string& output,

@@ -6,7 +6,7 @@
 #include "host/base/numbers.hpp"
 #include "host/base/partial_file.hpp"
 #include "host/commands/command.hpp"
-#include "host/commands/measurement_option.hpp"
+#include "host/commands/options/measurement_option.hpp"
 #include "host/formats/read_measurement.hpp"
 #include "host/model/measurement/measured_light.hpp"
 #include "host/pictures/drawing/picture_file.hpp"

@@ -3,8 +3,9 @@
 #include <nlohmann/json.hpp>
 
 #include "host/base/numbers.hpp"
-#include "host/commands/outputs.hpp"
+#include "host/commands/options/format_choice.hpp"
 #include "host/formats/export/export_verdict.hpp"
+#include "host/formats/read_material.hpp"
 
 namespace brdftab {
 namespace {
@@ -163,22 +164,23 @@ void ExportValidation::add(CLI::App& parser) {
       .add_option("--illuminant", illuminant_,
                   "The illuminant of its colours, D65 or E, where it cannot say so; D65")
       ->check(CLI::IsMember(std::vector<std::string>(illuminant_names.begin(), illuminant_names.end())));
-  for (const auto& format : formats_) format->add_reading_options(parser);
+  for (const auto& format : formats_)
+    for (const FormatOption& row : format->options())
+      if (row.is_for_reading) add_format_option(parser, row);
   parser.option_defaults()->group("Options");
+}
+
+const ExportFormat* ExportValidation::format_of(const std::string& file) const {
+  const Format* format = recognised_format(formats_, file);
+  return format ? format->as_export() : nullptr;
 }
 
 ExportModel ExportValidation::source(const Engine& engine, const ExportReader& table,
                                      const Request& request) const {
   if (!material_ && table.material_text().empty())
     throw BadInput("{}: its format cannot hold the material: --material FILE names it", request.file);
-  Material material = material_
-                          ? read_material(*material_)
-                          : Material::parse(table.material_text(), fmt::format("{}, material", request.file));
-  const auto wavelengths = table.wavelengths_nm();
-  if (wavelength_nm_)
-    material = material.at_wavelength(*wavelength_nm_);
-  else if (wavelengths.size() == 1 && material.bands().size() > 1)
-    material = material.at_wavelength(wavelengths.front());
+  const Material whole = material_ ? read_material(*material_) : material_of(table, request.file);
+  Material material = wavelength_nm_ ? whole.at_wavelength(*wavelength_nm_) : in_bands_of(table, whole);
   Illuminant illuminant = table.illuminant();
   if (illuminant_)
     illuminant = *illuminant_ == name_of(Illuminant::d65) ? Illuminant::d65 : Illuminant::equal_energy;

@@ -2,18 +2,19 @@
 #pragma once
 
 #include "host/commands/command.hpp"
-#include "host/formats/format.hpp"
+#include "host/formats/export/export_reader.hpp"
+#include "host/formats/registry.hpp"
 
 namespace brdftab {
 
 class ExportValidation {
  public:
-  ExportValidation() : formats_(export_formats()) {}
+  ExportValidation() : formats_(all_formats()) {}
 
   void add(CLI::App& parser);
 
-  /// The format of a file that is one of theirs; null: it is none.
-  const ExportFormat* format_of(const std::string& file) const { return recognised_format(formats_, file); }
+  /// The format of a file that is one of theirs; null: it is none. Throws FileError where it cannot be read.
+  const ExportFormat* format_of(const std::string& file) const;
 
   struct Request {
     std::string file;
@@ -29,7 +30,7 @@ class ExportValidation {
  private:
   ExportModel source(const Engine& engine, const ExportReader& table, const Request& request) const;
 
-  ExportFormats formats_;
+  Formats formats_;
   std::optional<std::string> material_;
   std::optional<double> wavelength_nm_;
   std::optional<std::string> illuminant_;

@@ -6,6 +6,7 @@
 
 #include "host/base/angle.hpp"
 #include "host/base/error.hpp"
+#include "host/formats/export/export_reader.hpp"
 #include "host/formats/export/grid_samples.hpp"
 #include "host/formats/hdf5/hdf5_file.hpp"
 #include "host/formats/registry.hpp"
@@ -96,13 +97,15 @@ class EradiateFormat : public ExportFormat {
                       .suffix = "_eradiate.nc",
                       .holds_bands = false}) {}
 
-  void add_options(CLI::App& group) override {
-    group.add_option("--eradiate-cosines", cosines_, "Nodes in each cosine, from 0 to 1; default 91")
-        ->check(CLI::Range(3, 1001));
-    group
-        .add_option("--eradiate-azimuths", azimuths_,
-                    "Nodes in the azimuth, from 0 to before 360 degrees; default 180")
-        ->check(CLI::Range(4, 3600));
+  std::vector<FormatOption> options() override {
+    return {{.name = "eradiate_cosines",
+             .help = "Nodes in each cosine, from 0 to 1; default 91",
+             .value = &cosines_,
+             .range = {{3, 1001}}},
+            {.name = "eradiate_azimuths",
+             .help = "Nodes in the azimuth, from 0 to before 360 degrees; default 180",
+             .value = &azimuths_,
+             .range = {{4, 3600}}}};
   }
 
   std::vector<std::string> write(const std::filesystem::path& path,
@@ -216,6 +219,6 @@ class EradiateFormat : public ExportFormat {
 
 }  // namespace
 
-std::unique_ptr<ExportFormat> make_eradiate_format() { return std::make_unique<EradiateFormat>(); }
+std::unique_ptr<Format> make_eradiate_format() { return std::make_unique<EradiateFormat>(); }
 
 }  // namespace brdftab

@@ -1,52 +1,41 @@
 #include "host/formats/open_table.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cerrno>
-#include <fstream>
+#include <fmt/ranges.h>
+
 #include <string_view>
-#include <system_error>
+#include <vector>
 
 #include "host/base/error.hpp"
-#include "host/formats/exr/exr_reader.hpp"
-#include "host/formats/hdf5/hdf5_reader.hpp"
+#include "host/formats/registry.hpp"
+#include "host/table/table_reader.hpp"
 
 namespace brdftab {
-namespace {
 
-using namespace std::string_view_literals;
-
-constexpr std::string_view hdf5_signature = "\x89HDF\r\n\x1a\n"sv;
-constexpr std::array<std::string_view, 4> extensions{".h5", ".hdf5", ".nc", ".exr"};
-constexpr std::string_view exr_signature = "\x76\x2f\x31\x01"sv;
-
-}  // namespace
-
-std::unique_ptr<TableReader> open_table(const std::filesystem::path& path) {
-  std::error_code error;
-  if (!std::filesystem::exists(path, error)) throw FileError("{}: does not exist", path.string());
-  if (std::filesystem::is_directory(path, error)) return open_exr_reader(path);
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw FileError("{}: cannot be read: {}", path.string(), std::generic_category().message(errno));
-  std::string start(8, '\0');
-  file.read(start.data(), static_cast<std::streamsize>(start.size()));
-  start.resize(static_cast<std::size_t>(file.gcount()));
-  if (start.empty()) throw FileError("{}: is empty", path.string());
-  if (start == hdf5_signature) return open_hdf5_reader(path);
-  if (start.starts_with(exr_signature)) return open_exr_reader(path);
-  throw BadInput("{}: is neither an HDF5 nor an OpenEXR file", path.string());
+std::unique_ptr<TableReader> open_table(const std::filesystem::path& file) {
+  const Formats formats = all_formats();
+  const Format* format = recognised_format(formats, file);
+  if (format && format->as_dense()) return format->as_dense()->open(file);
+  if (format)
+    throw BadInput("{}: is a simulator's file ({}), no table", file.string(), format->traits().name);
+  if (std::filesystem::file_size(file) == 0) throw FileError("{}: is empty", file.string());
+  std::vector<std::string_view> names;
+  for (const auto& known : formats)
+    if (known->as_dense()) names.push_back(known->traits().name);
+  throw BadInput("{}: is no table: it is neither {}", file.string(), fmt::join(names, " nor "));
 }
 
 bool is_table(const std::filesystem::path& file) {
   if (file == "-") return false;
   std::error_code error;
   if (std::filesystem::is_directory(file, error)) return true;
+  const Formats formats = all_formats();
   // What is named as a table and damaged is to be refused as a table.
-  if (std::find(extensions.begin(), extensions.end(), file.extension()) != extensions.end()) return true;
-  std::ifstream in(file, std::ios::binary);
-  std::string start(hdf5_signature.size(), '\0');
-  in.read(start.data(), static_cast<std::streamsize>(start.size()));
-  return start == hdf5_signature || start.starts_with(exr_signature);
+  const Format* named = format_of_extension(formats, file.extension().string());
+  if (named && named->as_dense()) return true;
+  // A pipe can be read once only.
+  if (!std::filesystem::is_regular_file(file, error)) return false;
+  const Format* format = recognised_format(formats, file);
+  return format && format->as_dense();
 }
 
 }  // namespace brdftab

@@ -1,19 +1,19 @@
-// Any table file that this program writes, opened for reading.
+// Tables of this program, opened by what their files hold.
 #pragma once
 
 #include <filesystem>
 #include <memory>
 
-#include "host/table/table_reader.hpp"
-
 namespace brdftab {
 
-/// Opens by the file's first bytes; a folder holds the slices of an OpenEXR table. Throws FileError where it
-/// cannot be read, a truncated one included, and BadInput where it is not a table of this program.
-std::unique_ptr<TableReader> open_table(const std::filesystem::path& path);
+class TableReader;
 
-/// Whether a file is to be opened as a table: a folder, what is named as one, or begins as HDF5 or OpenEXR
-/// does; "-" is not.
+/// The file's first bytes tell its format; a folder holds the slices of an OpenEXR table. Throws FileError
+/// where the file cannot be read or is damaged, and BadInput where it is no table of this program.
+std::unique_ptr<TableReader> open_table(const std::filesystem::path& file);
+
+/// Whether a file is to be opened as a table: a folder, what is named as a table, or begins as one; "-" is
+/// not.
 bool is_table(const std::filesystem::path& file);
 
 }  // namespace brdftab

@@ -1,71 +1,69 @@
 #include "host/formats/read_measurement.hpp"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
-#include <array>
-#include <cerrno>
-#include <fstream>
+#include <cctype>
 #include <iostream>
-#include <system_error>
 
 #include "host/base/error.hpp"
-#include "host/formats/merl/merl_measurement.hpp"
-#include "host/formats/text/alta_astm_measurement.hpp"
-#include "host/formats/text/csv_measurement.hpp"
-#include "host/formats/zemax/zemax_measurement.hpp"
+#include "host/base/whole_file.hpp"
+#include "host/formats/registry.hpp"
 #include "host/model/measurement/measured_light.hpp"
 
 namespace brdftab {
 namespace {
 
-struct Reader {
-  std::string_view format;
-  std::array<std::string_view, 2> extensions;
-  Measurement (*read)(std::istream&, const std::string&, const MeasurementOptions&);
-  /// Grids are written in it too, with every azimuth at the normal and at 0 and 360 degrees.
-  bool lists_grids = false;
-};
+// What standard input holds, unless the user says otherwise.
+constexpr std::string_view format_of_stream = "csv";
 
-constexpr std::array<Reader, 5> readers{{{"csv", {".csv", ".csv"}, read_csv_measurement},
-                                         {"alta", {".alta", ".dat"}, read_alta_measurement, true},
-                                         {"astm", {".astm", ".astm"}, read_astm_measurement, true},
-                                         {"zemax", {".bsdf", ".bsdf"}, read_zemax_measurement},
-                                         {"merl", {".binary", ".binary"}, read_merl_measurement}}};
+std::string lower(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+  return text;
+}
 
-std::string format_of(const std::filesystem::path& file) {
-  std::string extension = file.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return std::tolower(c); });
-  if (file == "-") return "csv";
-  for (const Reader& reader : readers)
-    if (std::find(reader.extensions.begin(), reader.extensions.end(), extension) != reader.extensions.end())
-      return std::string(reader.format);
-  throw BadInput(
-      "{}: its extension is not that of a measurement; `format` says which it is: csv, alta, astm, zemax or "
-      "merl",
-      file.string());
+MeasurementReader reader_named(const Formats& formats, const std::string& name) {
+  const Format* format = find_format(formats, name);
+  if (!format || !format->traits().measurement)
+    throw BadInput(GivenValue{"format", name}, "must be {}", fmt::join(measurement_formats(), ", "));
+  return *format->traits().measurement;
+}
+
+MeasurementReader reader_of(const Formats& formats, const std::filesystem::path& file) {
+  if (file == "-") return reader_named(formats, std::string(format_of_stream));
+  const std::string extension = lower(file.extension().string());
+  for (const auto& format : formats) {
+    const auto& reader = format->traits().measurement;
+    if (reader && std::find(reader->extensions.begin(), reader->extensions.end(), extension) !=
+                      reader->extensions.end())
+      return *reader;
+  }
+  throw BadInput("{}: its extension is not that of a measurement; `format` says which it is: {}",
+                 file.string(), fmt::join(measurement_formats(), ", "));
 }
 
 }  // namespace
 
+std::vector<std::string> measurement_formats() {
+  std::vector<std::string> names;
+  for (const auto& format : all_formats())
+    if (format->traits().measurement) names.emplace_back(format->traits().name);
+  return names;
+}
+
 Measurement read_measurement(const std::filesystem::path& file, const MeasurementOptions& options) {
-  const std::string format = options.format.empty() ? format_of(file) : options.format;
-  const auto reader =
-      std::find_if(readers.begin(), readers.end(), [&](const Reader& r) { return r.format == format; });
-  if (reader == readers.end())
-    throw BadInput(GivenValue{"format", format}, "must be csv, alta, astm, zemax or merl");
+  const Formats formats = all_formats();
+  const MeasurementReader reader =
+      options.format.empty() ? reader_of(formats, file) : reader_named(formats, options.format);
   Measurement measurement;
   if (file == "-") {
-    measurement = reader->read(std::cin, "standard input", options);
+    measurement = reader.read(std::cin, "standard input", options);
   } else {
-    std::error_code error;
-    if (std::filesystem::is_directory(file, error)) throw FileError("{}: is a folder", file.string());
-    std::ifstream in(file, std::ios::binary);
-    if (!in)
-      throw FileError("{}: cannot be opened: {}", file.string(), std::generic_category().message(errno));
-    measurement = reader->read(in, file.string(), options);
+    std::ifstream in = open_file(file);
+    measurement = reader.read(in, file.string(), options);
     if (in.bad()) throw FileError("{}: cannot be read", file.string());
   }
-  if (reader->lists_grids) set_aside_repeats_of_grid(measurement);
+  if (reader.lists_grids) set_aside_repeats_of_grid(measurement);
   measurement.incidence_width = options.incidence_width;
   unite_channels(measurement, options.wavelength_unit);
   const ValueKind kind = options.values.value_or(ValueKind::brdf);
@@ -75,7 +73,7 @@ Measurement read_measurement(const std::filesystem::path& file, const Measuremen
     sample.sigma *= options.scale * slope_of_brdf(kind, sample.brdf / options.scale, theta_s);
     if (options.flip_azimuth) sample.pair.phi += 180;
   }
-  choose_light(measurement, options.light, reader->format == "csv");
+  choose_light(measurement, options.light, reader.tells_light);
   clean(measurement, options);
   return measurement;
 }

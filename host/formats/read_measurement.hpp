@@ -2,10 +2,15 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "host/model/measurement/measurement.hpp"
 
 namespace brdftab {
+
+/// Names of the formats that are read as measurements.
+std::vector<std::string> measurement_formats();
 
 /// Reads a file ("-": standard input, CSV) and cleans what it holds. Values that are nan, and what a format
 /// itself repeats, are set aside and counted; zero and negative ones are counted and kept, and so are equal

@@ -1,21 +1,45 @@
-// The simulators' formats, one row each; each is made in the source file of its name.
+// All file formats that the program knows, for writing, for reading tables and for reading measurements.
 #pragma once
 
+#include <filesystem>
 #include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "host/formats/format.hpp"
 
 namespace brdftab {
 
-std::unique_ptr<ExportFormat> make_astm_format();
-std::unique_ptr<ExportFormat> make_bird_format();
-std::unique_ptr<ExportFormat> make_csv_format();
-std::unique_ptr<ExportFormat> make_eradiate_format();
-std::unique_ptr<ExportFormat> make_merl_format();
-std::unique_ptr<ExportFormat> make_openmaterial_format();
-std::unique_ptr<ExportFormat> make_radiance_format();
-std::unique_ptr<ExportFormat> make_rgl_format();
-std::unique_ptr<ExportFormat> make_ssdd_format();
-std::unique_ptr<ExportFormat> make_zemax_format();
+using Formats = std::vector<std::unique_ptr<Format>>;
+
+/// One object of each format, with default options: dense tables first, the others in the order of names.
+Formats all_formats();
+
+/// Null where there is none of that name.
+const Format* find_format(const Formats& formats, std::string_view name);
+
+/// The format whose files alone are called so; null where there is none.
+const Format* format_of_extension(const Formats& formats, std::string_view extension);
+
+/// The format that recognises a file by its beginning; null where none does. Throws FileError where the file
+/// cannot be read.
+const Format* recognised_format(const Formats& formats, const std::filesystem::path& file);
+
+/// The makers of the formats, each in the source file of its name. A format is added by a maker here and by
+/// its row in registry.cpp.
+std::unique_ptr<Format> make_alta_format();
+std::unique_ptr<Format> make_astm_format();
+std::unique_ptr<Format> make_bird_format();
+std::unique_ptr<Format> make_csv_format();
+std::unique_ptr<Format> make_eradiate_format();
+std::unique_ptr<Format> make_exr_format();
+std::unique_ptr<Format> make_hdf5_format();
+std::unique_ptr<Format> make_merl_format();
+std::unique_ptr<Format> make_openmaterial_format();
+std::unique_ptr<Format> make_radiance_format();
+std::unique_ptr<Format> make_rgl_format();
+std::unique_ptr<Format> make_ssdd_format();
+std::unique_ptr<Format> make_zemax_format();
 
 }  // namespace brdftab

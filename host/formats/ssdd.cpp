@@ -33,9 +33,11 @@ class SsddFormat : public ExportFormat {
                       .suffix = ".ssdd",
                       .takes_axes = true}) {}
 
-  void add_options(CLI::App& parser) override {
-    parser.add_option("--ssdd-data", data_, "ascii (default), or binary: float32")
-        ->check(CLI::IsMember({"ascii", "binary"}));
+  std::vector<FormatOption> options() override {
+    return {{.name = "ssdd_data",
+             .help = "ascii (default), or binary: float32",
+             .value = &data_,
+             .words = {"ascii", "binary"}}};
   }
 
   std::vector<std::string> write(const std::filesystem::path& file,
@@ -71,8 +73,8 @@ class SsddFormat : public ExportFormat {
       for (std::size_t k = 0; k < directions.size(); ++k)
         for (const auto& band : f) values.push_back(static_cast<float>(band[k]));
       if (begins_a_comment(values))
-        throw BadInput(
-            "--ssdd-data binary: these samples begin as a comment does, which readers skip; take ascii");
+        throw BadInput(GivenValue{"ssdd_data", data_},
+                       "these samples begin as a comment does, which readers skip; take ascii");
       text.append(
           std::string_view(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(float)));
     } else {
@@ -192,6 +194,6 @@ class SsddFormat : public ExportFormat {
 
 }  // namespace
 
-std::unique_ptr<ExportFormat> make_ssdd_format() { return std::make_unique<SsddFormat>(); }
+std::unique_ptr<Format> make_ssdd_format() { return std::make_unique<SsddFormat>(); }
 
 }  // namespace brdftab

@@ -6,8 +6,8 @@
 #include "host/base/error.hpp"
 #include "host/base/numbers.hpp"
 #include "host/compute/sampled_model.hpp"
-#include "host/formats/format.hpp"
 #include "host/formats/open_table.hpp"
+#include "host/formats/read_material.hpp"
 
 namespace brdftab {
 namespace {
@@ -27,7 +27,7 @@ Subject Subject::open(const std::string& file) {
   if (brdftab::is_table(file)) return of_table(file, open_table(file));
   Subject subject;
   subject.file_ = file;
-  subject.material_ = read_material_file(file);
+  subject.material_ = read_material(file);
   return subject;
 }
 

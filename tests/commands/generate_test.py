@@ -50,7 +50,7 @@ class Generate(InFolder):
     def test_info_refuses_other_files(self):
         text = self.folder / "text.h5"
         text.write_text("no table")
-        self.assert_refused(run("info", text), BAD_INPUT, "neither an HDF5 nor an OpenEXR file")
+        self.assert_refused(run("info", text), BAD_INPUT, "is no table: it is neither hdf5 nor exr")
         self.assert_refused(run("info", self.folder / "none.h5"), FILE, "does not exist")
         foreign = self.folder / "foreign.h5"
         with h5py.File(foreign, "w") as file:

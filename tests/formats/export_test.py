@@ -125,12 +125,13 @@ class Options(Written):
     def test_all_materials_are_checked_before_the_first_is_written(self):
         self.refused(self.bands, "--format", "eradiate", "-o", f"{self.folder}/", parts=("bands.toml", "--wavelength"))
 
-    def test_a_simulators_file_is_no_material(self):
+    def test_a_simulators_file_gives_its_material(self):
         file = self.generate("a.csv", *AXES)
-        for command in (["generate", file, "-o", self.folder / "b.h5"], ["plot", file, "-o", self.folder / "b.svg"]):
-            result = run(*command)
-            self.assertEqual(result.returncode, BAD_INPUT, result.stderr)
-            self.assertIn("a.csv: is a simulator's file (csv)", result.stderr)
+        first, second = self.generate("b.ssdd", *AXES), self.generate("c.ssdd", *AXES, material=file)
+        strip = lambda file: [line for line in file.read_text().split("\n") if not line.startswith("# 20")]
+        self.assertEqual(strip(first), strip(second))
+        result = run("plot", file, "-o", self.folder / "b.svg")
+        self.assertEqual(result.returncode, DONE, result.stderr)
 
     def test_more_samples_than_memory_takes(self):
         self.refused("-o", self.folder / "a.csv", "--phi-s", "0:360:0.01", parts=("samples", "at most"))

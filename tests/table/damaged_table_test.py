@@ -229,7 +229,7 @@ class Damaged(InFolder):
         exr = self.folder / "foreign.exr"
         subprocess.run(["oiiotool", "--create", "4x4", "3", "-o", exr], check=True)
         self.assert_fault(hdf5, "is an HDF5 file, but not a table of brdftab", status=BAD_INPUT)
-        self.assert_fault(text, "neither an HDF5 nor an OpenEXR file", status=BAD_INPUT)
+        self.assert_fault(text, "is no table: it is neither hdf5 nor exr", status=BAD_INPUT)
         self.assert_fault(exr, "is an OpenEXR file, but not a table of brdftab", status=BAD_INPUT)
         empty = self.folder / "empty.h5"
         empty.touch()

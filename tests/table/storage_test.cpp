@@ -14,7 +14,10 @@
 #include "host/formats/hdf5/hdf5_reader.hpp"
 #include "host/formats/hdf5/hdf5_writer.hpp"
 #include "host/model/relative_azimuth.hpp"
+#include "host/table/chunk.hpp"
 #include "host/table/generate.hpp"
+#include "host/table/table_reader.hpp"
+#include "host/table/table_writer.hpp"
 
 namespace brdftab {
 namespace {

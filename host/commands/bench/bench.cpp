@@ -13,6 +13,7 @@
 #include "host/commands/bench/bench_timing.hpp"
 #include "host/commands/command.hpp"
 #include "host/formats/hdf5/hdf5_writer.hpp"
+#include "host/formats/read_material.hpp"
 #include "host/table/generate.hpp"
 #include "host/table/table_content.hpp"
 
@@ -193,7 +194,7 @@ Json bench_generate(const Device& device, Precision precision, const Material& m
 
 ExitStatus run(const Options& options, const CommonOptions& common) {
   const Material material = options.material.empty() ? Material::parse(default_material, "built in")
-                                                     : Material::read(options.material);
+                                                     : read_material(options.material);
   // What cannot be written in the end is refused at the beginning.
   std::optional<PartialFile> json;
   if (!options.json.empty()) json.emplace(options.json, false);

@@ -1,7 +1,7 @@
 // Where a simulator's file is compared with the model: random pairs of directions at which it has samples.
 #pragma once
 
-#include "host/formats/format.hpp"
+#include "host/formats/export/export_reader.hpp"
 
 namespace brdftab {
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "host/formats/export/export_directions.hpp"
+#include "host/formats/export/export_reader.hpp"
 #include "host/formats/format.hpp"
 
 namespace brdftab {

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "host/formats/format.hpp"
+#include "host/formats/export/export_reader.hpp"
 
 namespace brdftab {
 

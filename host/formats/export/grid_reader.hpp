@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "host/formats/export/export_reader.hpp"
 #include "host/formats/export/grid_samples.hpp"
-#include "host/formats/format.hpp"
 
 namespace brdftab {
 

@@ -19,6 +19,7 @@
 #include "host/base/numbers.hpp"
 #include "host/formats/exr/exr_names.hpp"
 #include "host/table/table_attributes.hpp"
+#include "host/table/table_reader.hpp"
 
 namespace brdftab {
 namespace {

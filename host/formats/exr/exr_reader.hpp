@@ -1,12 +1,12 @@
-// The OpenEXR table of interface.md, read back.
+// The OpenEXR table that host/FORMATS.md describes, read back.
 #pragma once
 
 #include <filesystem>
 #include <memory>
 
-#include "host/table/table_reader.hpp"
-
 namespace brdftab {
+
+class TableReader;
 
 /// A file, or a folder with a file for each slice. Throws FileError where it cannot be read, and BadInput
 /// where it is not a table of this program.

@@ -20,6 +20,7 @@
 #include "host/base/scratch_file.hpp"
 #include "host/formats/exr/exr_stream.hpp"
 #include "host/table/table_attributes.hpp"
+#include "host/table/table_writer.hpp"
 
 namespace brdftab {
 namespace {

@@ -1,14 +1,16 @@
-// The OpenEXR table of interface.md: a slice for each incidence, x = phi_s, y = theta_s, a pixel for each
-// node.
+// The OpenEXR table that host/FORMATS.md describes: a slice for each incidence, x = phi_s, y = theta_s, a
+// pixel for each node.
 #pragma once
 
 #include <filesystem>
 #include <memory>
 
 #include "host/formats/exr/exr_names.hpp"
-#include "host/table/table_writer.hpp"
 
 namespace brdftab {
+
+class TableWriter;
+struct TableContent;
 
 /// Both lossless.
 enum class ExrCompression { none, zip };

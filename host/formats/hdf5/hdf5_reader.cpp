@@ -7,6 +7,7 @@
 #include "host/base/error.hpp"
 #include "host/formats/hdf5/hdf5_handle.hpp"
 #include "host/formats/hdf5/hdf5_storage.hpp"
+#include "host/table/table_reader.hpp"
 
 namespace brdftab {
 namespace {

@@ -9,6 +9,7 @@
 #include "host/formats/hdf5/hdf5_file.hpp"
 #include "host/formats/hdf5/hdf5_view.hpp"
 #include "host/table/table_attributes.hpp"
+#include "host/table/table_writer.hpp"
 
 namespace brdftab {
 namespace {

@@ -95,14 +95,16 @@ class BirdFormat : public ExportFormat {
                       .takes_axes = true,
                       .holds_polarization = true}) {}
 
-  void add_options(CLI::App& parser) override {
-    parser
-        .add_option("--bird-polarization", polarization_,
-                    "Of the incident light: unpolarized (default), or all: unpolarized, s and p")
-        ->check(CLI::IsMember({"unpolarized", "all"}));
-    parser.add_option("--bird-organization", organization_, "Whose the data are; the format requires one");
-    parser.add_option("--bird-contact", contact_, "A person; the format requires one");
-    parser.add_option("--bird-email", email_, "The format requires one");
+  std::vector<FormatOption> options() override {
+    return {{.name = "bird_polarization",
+             .help = "Of the incident light: unpolarized (default), or all: unpolarized, s and p",
+             .value = &polarization_,
+             .words = {"unpolarized", "all"}},
+            {.name = "bird_organization",
+             .help = "Whose the data are; the format requires one",
+             .value = &organization_},
+            {.name = "bird_contact", .help = "A person; the format requires one", .value = &contact_},
+            {.name = "bird_email", .help = "The format requires one", .value = &email_}};
   }
 
   std::vector<std::string> write(const std::filesystem::path& file,
@@ -268,6 +270,6 @@ class BirdFormat : public ExportFormat {
 
 }  // namespace
 
-std::unique_ptr<ExportFormat> make_bird_format() { return std::make_unique<BirdFormat>(); }
+std::unique_ptr<Format> make_bird_format() { return std::make_unique<BirdFormat>(); }
 
 }  // namespace brdftab

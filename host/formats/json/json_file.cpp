@@ -18,7 +18,7 @@ std::uint64_t hash_of(std::string_view text, std::uint64_t hash) {
 void check_json_samples(std::string_view format, std::size_t samples) {
   if (samples > most_samples)
     throw BadInput(
-        "{} samples are more than the {} that {}, being text, is written with: coarser axes, or --wavelength",
+        "{} samples are more than the {} that {}, being text, is written with: coarser axes, or `wavelength`",
         samples, most_samples, format);
 }
 

@@ -32,13 +32,17 @@ class OpenMaterialFormat : public ExportFormat {
                       .suffix = "_brdf.xompt",
                       .takes_axes = true}) {}
 
-  void add_options(CLI::App& parser) override {
-    parser
-        .add_option("--openmaterial-wavelength", wavelength_nm_,
-                    "Of a material without bands, nm; by default the table has null there")
-        ->check(CLI::Range(1., 17.16e6));
-    parser.add_option("--openmaterial-author", author_, "Name, e-mail or company; the format requires one");
-    parser.add_option("--openmaterial-copyright", copyright_, "Year and holder; the format requires one");
+  std::vector<FormatOption> options() override {
+    return {{.name = "openmaterial_wavelength",
+             .help = "Of a material without bands, nm; by default the table has null there",
+             .value = &wavelength_nm_,
+             .range = {{1, 17.16e6}}},
+            {.name = "openmaterial_author",
+             .help = "Name, e-mail or company; the format requires one",
+             .value = &author_},
+            {.name = "openmaterial_copyright",
+             .help = "Year and holder; the format requires one",
+             .value = &copyright_}};
   }
 
   std::vector<std::string> write(const std::filesystem::path& file,
@@ -81,7 +85,7 @@ class OpenMaterialFormat : public ExportFormat {
     write_whole(file, {text.data(), text.size()});
     if (!wavelengths.empty()) return {};
     return {
-        "the material has no wavelength, and the table null in its place: --openmaterial-wavelength gives "
+        "the material has no wavelength, and the table null in its place: `openmaterial_wavelength` gives "
         "one"};
   }
 
@@ -153,6 +157,6 @@ class OpenMaterialFormat : public ExportFormat {
 
 }  // namespace
 
-std::unique_ptr<ExportFormat> make_openmaterial_format() { return std::make_unique<OpenMaterialFormat>(); }
+std::unique_ptr<Format> make_openmaterial_format() { return std::make_unique<OpenMaterialFormat>(); }
 
 }  // namespace brdftab

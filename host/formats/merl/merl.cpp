@@ -7,7 +7,9 @@
 
 #include "host/base/error.hpp"
 #include "host/base/whole_file.hpp"
+#include "host/formats/export/export_reader.hpp"
 #include "host/formats/merl/merl_file.hpp"
+#include "host/formats/merl/merl_measurement.hpp"
 #include "host/formats/registry.hpp"
 #include "host/model/surface_vector.hpp"
 
@@ -163,15 +165,17 @@ class MerlFormat : public ExportFormat {
              .consumer = "BRDF Explorer, pbrt-v2, ALTA, dj_brdf, libbsdf and most readers of MERL's data",
              .extensions = {".binary"},
              .suffix = ".binary",
-             .holds_non_reciprocal = false}) {}
+             .holds_non_reciprocal = false,
+             .measurement = MeasurementReader{.extensions = {".binary"}, .read = read_merl_measurement}}) {}
 
-  void add_options(CLI::App& parser) override { add_reading_options(parser); }
-  void add_reading_options(CLI::App& parser) override {
-    parser
-        .add_option("--merl-registration", registration_,
-                    "center (default): values at the centres of cells, for readers that look cells up; node: "
-                    "at i^2/90, j and k degrees, for libbsdf, which interpolates")
-        ->check(CLI::IsMember({"center", "node"}));
+  std::vector<FormatOption> options() override {
+    return {{.name = "merl_registration",
+             .help =
+                 "center (default): values at the centres of cells, for readers that look cells up; node: "
+                 "at i^2/90, j and k degrees, for libbsdf, which interpolates",
+             .value = &registration_,
+             .words = {"center", "node"},
+             .is_for_reading = true}};
   }
 
   std::vector<std::string> write(const std::filesystem::path& file,
@@ -191,8 +195,7 @@ class MerlFormat : public ExportFormat {
   }
 
   std::unique_ptr<ExportReader> read(const std::filesystem::path& file) const override {
-    std::ifstream in(file, std::ios::binary);
-    if (!in) throw FileError("{}: cannot be opened", file.string());
+    std::ifstream in = open_file(file);
     return std::make_unique<MerlReader>(MerlFile::read(in, file.string()), registration());
   }
 
@@ -206,6 +209,6 @@ class MerlFormat : public ExportFormat {
 
 }  // namespace
 
-std::unique_ptr<ExportFormat> make_merl_format() { return std::make_unique<MerlFormat>(); }
+std::unique_ptr<Format> make_merl_format() { return std::make_unique<MerlFormat>(); }
 
 }  // namespace brdftab

@@ -96,24 +96,26 @@ class RadianceFormat : public ExportFormat {
                       .extensions = {".xml"},
                       .suffix = ".xml"}) {}
 
-  void add_options(CLI::App& group) override {
-    group
-        .add_option("--radiance-basis", basis_,
-                    "tree: tensor tree of rank 3, cells cut where f varies (default for one band); klems: "
-                    "matrix of 145 x 145 Klems patches (default for several, as colours)")
-        ->check(CLI::IsMember({"tree", "klems"}));
-    group
-        .add_option("--radiance-values", values_,
-                    "average (default): the mean of f over each cell or pair of patches, which keeps its "
-                    "integrals; centre: f at its centre")
-        ->check(CLI::IsMember({"average", "centre"}));
-    group.add_option("--radiance-depth", depth_, "Tree: at most 2^N cells across, N of 3 to 9; default 8")
-        ->check(CLI::Range(3, 9));
-    group
-        .add_option(
-            "--radiance-tolerance", tolerance_,
-            "Tree: a cell is cut in eight where f varies over it by more than this share; default 0.1")
-        ->check(CLI::Range(1e-4, 10.));
+  std::vector<FormatOption> options() override {
+    return {
+        {.name = "radiance_basis",
+         .help = "tree: tensor tree of rank 3, cells cut where f varies (default for one band); klems: "
+                 "matrix of 145 x 145 Klems patches (default for several, as colours)",
+         .value = &basis_,
+         .words = {"tree", "klems"}},
+        {.name = "radiance_values",
+         .help = "average (default): the mean of f over each cell or pair of patches, which keeps its "
+                 "integrals; centre: f at its centre",
+         .value = &values_,
+         .words = {"average", "centre"}},
+        {.name = "radiance_depth",
+         .help = "Tree: at most 2^N cells across, N of 3 to 9; default 8",
+         .value = &depth_,
+         .range = {{3, 9}}},
+        {.name = "radiance_tolerance",
+         .help = "Tree: a cell is cut in eight where f varies over it by more than this share; default 0.1",
+         .value = &tolerance_,
+         .range = {{1e-4, 10}}}};
   }
 
   std::vector<std::string> write(const std::filesystem::path& file,
@@ -124,8 +126,8 @@ class RadianceFormat : public ExportFormat {
     const bool klems = basis_ == "klems" || (basis_.empty() && source.bands() > 1);
     if (!klems && source.bands() > 1)
       throw BadInput(
-          "--radiance-basis tree: Radiance mixes up the colours of a tensor tree of rank 3; klems holds "
-          "them, and --wavelength takes one band");
+          "`radiance_basis` tree: Radiance mixes up the colours of a tensor tree of rank 3; klems holds "
+          "them, and `wavelength` takes one band");
     if (klems) {
       definition = fmt::format("<IncidentDataStructure>Columns</IncidentDataStructure>\n{}", angle_basis());
       const auto value = values_ == "average" ? PatchValue::average : PatchValue::centre;
@@ -229,6 +231,6 @@ class RadianceFormat : public ExportFormat {
 
 }  // namespace
 
-std::unique_ptr<ExportFormat> make_radiance_format() { return std::make_unique<RadianceFormat>(); }
+std::unique_ptr<Format> make_radiance_format() { return std::make_unique<RadianceFormat>(); }
 
 }  // namespace brdftab

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "host/formats/export/export_reader.hpp"
 #include "host/formats/export/export_text.hpp"
-#include "host/formats/format.hpp"
 #include "host/formats/radiance/tensor_tree.hpp"
 
 namespace brdftab {

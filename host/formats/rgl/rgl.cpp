@@ -92,34 +92,36 @@ class RglFormat : public ExportFormat {
                       .extensions = {},
                       .suffix = "_rgl.bsdf"}) {}
 
-  void add_options(CLI::App& parser) override {
-    parser
-        .add_option("--rgl-channels", channels_,
-                    "rgb: linear sRGB, for Mitsuba's rgb variants (default); spectral: the bands, for its "
-                    "spectral variants and pbrt-v4")
-        ->check(CLI::IsMember({"rgb", "spectral"}));
-    const CLI::Range nodes(2, 4096);
-    parser.add_option("--rgl-theta-i", resolution_.theta_i, "Nodes of theta_i, the viewer's; default 90")
-        ->check(nodes);
-    parser
-        .add_option("--rgl-samples", resolution_.samples,
-                    "Nodes of f along each side of the warped square; default 96")
-        ->check(nodes);
-    parser
-        .add_option("--rgl-warp-theta", resolution_.warp_theta,
-                    "Nodes of the warp's density along theta; default 256")
-        ->check(nodes);
-    parser
-        .add_option("--rgl-warp-phi", resolution_.warp_phi,
-                    "Nodes of the warp's density along phi, an odd number; default 129")
-        ->check(nodes);
+  std::vector<FormatOption> options() override {
+    constexpr FormatOption::Range nodes{2, 4096};
+    return {{.name = "rgl_channels",
+             .help = "rgb: linear sRGB, for Mitsuba's rgb variants (default); spectral: the bands, for its "
+                     "spectral variants and pbrt-v4",
+             .value = &channels_,
+             .words = {"rgb", "spectral"}},
+            {.name = "rgl_theta_i",
+             .help = "Nodes of theta_i, the viewer's; default 90",
+             .value = &resolution_.theta_i,
+             .range = nodes},
+            {.name = "rgl_samples",
+             .help = "Nodes of f along each side of the warped square; default 96",
+             .value = &resolution_.samples,
+             .range = nodes},
+            {.name = "rgl_warp_theta",
+             .help = "Nodes of the warp's density along theta; default 256",
+             .value = &resolution_.warp_theta,
+             .range = nodes},
+            {.name = "rgl_warp_phi",
+             .help = "Nodes of the warp's density along phi, an odd number; default 129",
+             .value = &resolution_.warp_phi,
+             .range = nodes}};
   }
 
   std::vector<std::string> write(const std::filesystem::path& file,
                                  const ExportModel& source) const override {
     if (resolution_.warp_phi % 2 == 0)
-      throw BadInput("--rgl-warp-phi {}: must be odd, so that a row lies in the plane of incidence",
-                     resolution_.warp_phi);
+      throw BadInput(GivenValue{"rgl_warp_phi", fmt::format("{}", resolution_.warp_phi)},
+                     "must be odd, so that a row lies in the plane of incidence");
     const bool rgb = channels_ == "rgb";
     const std::size_t channels = rgb ? 3 : source.bands();
     const std::size_t bytes = 4 * resolution_.theta_i *
@@ -127,7 +129,7 @@ class RglFormat : public ExportFormat {
                                resolution_.warp_theta * resolution_.warp_phi);
     if (bytes > most_bytes)
       throw BadInput(
-          "--rgl-theta-i, --rgl-samples, --rgl-warp-theta and --rgl-warp-phi: the file would have {:.3g} GB; "
+          "`rgl_theta_i`, `rgl_samples`, `rgl_warp_theta` and `rgl_warp_phi`: the file would have {:.3g} GB; "
           "at most 4",
           static_cast<double>(bytes) / 1e9);
     const RglDesign design = design_rgl(source, resolution_, rgb ? RglChannels::rgb : RglChannels::spectral);
@@ -170,6 +172,6 @@ class RglFormat : public ExportFormat {
 
 }  // namespace
 
-std::unique_ptr<ExportFormat> make_rgl_format() { return std::make_unique<RglFormat>(); }
+std::unique_ptr<Format> make_rgl_format() { return std::make_unique<RglFormat>(); }
 
 }  // namespace brdftab

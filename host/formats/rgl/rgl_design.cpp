@@ -7,7 +7,7 @@
 
 #include "host/base/angle.hpp"
 #include "host/base/parallel.hpp"
-#include "host/formats/format.hpp"
+#include "host/formats/export/export_reader.hpp"
 #include "host/formats/rgl/rgl_ndf.hpp"
 
 namespace brdftab {

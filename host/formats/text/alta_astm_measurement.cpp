@@ -10,6 +10,7 @@
 
 #include "host/base/error.hpp"
 #include "host/base/numbers.hpp"
+#include "host/formats/registry.hpp"
 
 namespace brdftab {
 namespace {
@@ -209,6 +210,14 @@ Measurement read_astm_measurement(std::istream& in, const std::string& source,
   if (measurement.channels.empty())
     throw BadInput("{}:1: has no line VARS theta_i,phi_i,theta_s,phi_s,...", source);
   return measurement;
+}
+
+std::unique_ptr<Format> make_alta_format() {
+  return std::make_unique<Format>(
+      FormatTraits{.name = "alta",
+                   .consumer = "ALTA",
+                   .measurement = MeasurementReader{
+                       .extensions = {".alta", ".dat"}, .read = read_alta_measurement, .lists_grids = true}});
 }
 
 }  // namespace brdftab

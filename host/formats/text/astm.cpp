@@ -25,7 +25,9 @@ class AstmFormat : public ExportFormat {
                       .consumer = "libbsdf, ALTA and other readers of Cornell's ASTM E1392 text",
                       .extensions = {".astm"},
                       .suffix = ".astm",
-                      .takes_axes = true}) {}
+                      .takes_axes = true,
+                      .measurement = MeasurementReader{
+                          .extensions = {".astm"}, .read = read_astm_measurement, .lists_grids = true}}) {}
 
   std::vector<std::string> write(const std::filesystem::path& file,
                                  const ExportModel& source) const override {
@@ -70,8 +72,7 @@ class AstmFormat : public ExportFormat {
   }
 
   std::unique_ptr<ExportReader> read(const std::filesystem::path& file) const override {
-    std::ifstream in(file);
-    if (!in) throw FileError("{}: cannot be opened", file.string());
+    std::ifstream in = open_file(file);
     Description description;
     for (std::string line; std::getline(in, line) && !line.starts_with("VARS");)
       if (line.starts_with(comment)) description.read(std::string_view(line).substr(comment.size()));
@@ -100,6 +101,6 @@ class AstmFormat : public ExportFormat {
 
 }  // namespace
 
-std::unique_ptr<ExportFormat> make_astm_format() { return std::make_unique<AstmFormat>(); }
+std::unique_ptr<Format> make_astm_format() { return std::make_unique<AstmFormat>(); }
 
 }  // namespace brdftab

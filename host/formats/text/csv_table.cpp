@@ -12,6 +12,7 @@
 #include "host/formats/export/grid_reader.hpp"
 #include "host/formats/export/grid_samples.hpp"
 #include "host/formats/registry.hpp"
+#include "host/formats/text/csv_measurement.hpp"
 #include "host/table/table_content.hpp"
 
 namespace brdftab {
@@ -42,11 +43,15 @@ class CsvFormat : public ExportFormat {
                       .extensions = {".csv"},
                       .suffix = ".csv",
                       .takes_axes = true,
-                      .holds_polarization = true}) {}
+                      .holds_polarization = true,
+                      .measurement = MeasurementReader{
+                          .extensions = {".csv"}, .read = read_csv_measurement, .tells_light = true}}) {}
 
-  void add_options(CLI::App& parser) override {
-    parser.add_option("--csv-digits", digits_, "Significant digits of f, 1 to 17; default 9")
-        ->check(CLI::Range(1, 17));
+  std::vector<FormatOption> options() override {
+    return {{.name = "csv_digits",
+             .help = "Significant digits of f, 1 to 17; default 9",
+             .value = &digits_,
+             .range = {{1, 17}}}};
   }
 
   std::vector<std::string> write(const std::filesystem::path& file,
@@ -86,8 +91,7 @@ class CsvFormat : public ExportFormat {
   }
 
   std::unique_ptr<ExportReader> read(const std::filesystem::path& file) const override {
-    std::ifstream in(file);
-    if (!in) throw FileError("{}: cannot be opened", file.string());
+    std::ifstream in = open_file(file);
     Description description;
     for (std::string line; in.peek() == '#' && std::getline(in, line);)
       description.read(std::string_view(line).substr(1));
@@ -150,6 +154,6 @@ class CsvFormat : public ExportFormat {
 
 }  // namespace
 
-std::unique_ptr<ExportFormat> make_csv_format() { return std::make_unique<CsvFormat>(); }
+std::unique_ptr<Format> make_csv_format() { return std::make_unique<CsvFormat>(); }
 
 }  // namespace brdftab

@@ -11,6 +11,7 @@
 #include "host/formats/export/grid_samples.hpp"
 #include "host/formats/registry.hpp"
 #include "host/formats/zemax/zemax_file.hpp"
+#include "host/formats/zemax/zemax_measurement.hpp"
 #include "host/model/surface_vector.hpp"
 
 namespace brdftab {
@@ -112,36 +113,41 @@ class ZemaxReader : public ExportReader {
 class ZemaxFormat : public ExportFormat {
  public:
   ZemaxFormat()
-      : ExportFormat({.name = "zemax",
-                      .consumer = "Zemax OpticStudio (tabular BSDF), and importers of its files; XYZ where "
-                                  "there are several bands",
-                      .extensions = {},
-                      .suffix = "_zemax.bsdf"}) {}
+      : ExportFormat(
+            {.name = "zemax",
+             .consumer = "Zemax OpticStudio (tabular BSDF), and importers of its files; XYZ where "
+                         "there are several bands",
+             .extensions = {},
+             .suffix = "_zemax.bsdf",
+             .measurement = MeasurementReader{.extensions = {".bsdf"}, .read = read_zemax_measurement}}) {}
 
-  void add_options(CLI::App& parser) override {
-    const auto add = [&](const char* name, std::string& text, std::string_view what) {
-      parser.add_option(
-          name, text,
-          fmt::format("{}, degrees: start:stop:step, or angles separated by commas; default: {}", what,
-                      text.empty() ? "0.1 apart up to 1, 0.5 up to 5, 1 up to 20, then 2" : text));
+  std::vector<FormatOption> options() override {
+    const auto angles = [](const char* name, std::string& text, std::string_view what) {
+      return FormatOption{
+          .name = name,
+          .help =
+              fmt::format("{}, degrees: start:stop:step, or angles separated by commas; default: {}", what,
+                          text.empty() ? "0.1 apart up to 1, 0.5 up to 5, 1 up to 20, then 2" : text),
+          .value = &text};
     };
-    add("--zemax-incidence", incidence_, "AngleOfIncidence");
-    add("--zemax-azimuth", azimuth_,
-        "ScatterAzimuth about the specular direction, from 0, toward the normal, to 180");
-    add("--zemax-radial", radial_, "ScatterRadial, from the specular direction, from 0 to at most 180");
+    return {
+        angles("zemax_incidence", incidence_, "AngleOfIncidence"),
+        angles("zemax_azimuth", azimuth_,
+               "ScatterAzimuth about the specular direction, from 0, toward the normal, to 180"),
+        angles("zemax_radial", radial_, "ScatterRadial, from the specular direction, from 0 to at most 180")};
   }
 
   std::vector<std::string> write(const std::filesystem::path& file,
                                  const ExportModel& source) const override {
-    const auto incidence = nodes("--zemax-incidence", incidence_, AxisKind::theta_i);
-    const auto azimuth = nodes("--zemax-azimuth", azimuth_, AxisKind::phi_s);
-    const auto radial =
-        radial_.empty() ? default_radials() : nodes("--zemax-radial", radial_, AxisKind::phi_s);
+    const auto incidence = nodes("zemax_incidence", incidence_, AxisKind::theta_i);
+    const auto azimuth = nodes("zemax_azimuth", azimuth_, AxisKind::phi_s);
+    const auto radial = radial_.empty() ? default_radials() : nodes("zemax_radial", radial_, AxisKind::phi_s);
     if (azimuth.front() != 0 || azimuth.back() != 180)
-      throw BadInput("--zemax-azimuth {}: must begin with 0 and end with 180, the plane of symmetry",
-                     excerpt(azimuth_));
+      throw BadInput(GivenValue{"zemax_azimuth", excerpt(azimuth_)},
+                     "must begin with 0 and end with 180, the plane of symmetry");
     if (radial.front() != 0 || radial.back() > 180)
-      throw BadInput("--zemax-radial {}: must begin with 0 and end at 180 at most", excerpt(radial_));
+      throw BadInput(GivenValue{"zemax_radial", excerpt(radial_)},
+                     "must begin with 0 and end at 180 at most");
 
     Directions directions;
     std::vector<bool> above;  // the horizon
@@ -213,8 +219,7 @@ class ZemaxFormat : public ExportFormat {
   }
 
   std::unique_ptr<ExportReader> read(const std::filesystem::path& path) const override {
-    std::ifstream in(path);
-    if (!in) throw FileError("{}: cannot be opened", path.string());
+    std::ifstream in = open_file(path);
     ZemaxFile file = ZemaxFile::read(in, path.string());
     if (file.blocks.size() != 1 && file.blocks.size() != 3)
       throw BadInput("{}: has {} blocks of data; Monochrome has one, XYZ three", path.string(),
@@ -253,7 +258,7 @@ class ZemaxFormat : public ExportFormat {
       const Axis axis = Axis::parse(kind, text);
       return {axis.nodes().begin(), axis.nodes().end()};
     } catch (const BadInput& error) {
-      throw BadInput("{} {}: {}", option, excerpt(text), error.what());
+      throw BadInput(GivenValue{option, excerpt(text)}, "{}", error.what());
     }
   }
 
@@ -264,6 +269,6 @@ class ZemaxFormat : public ExportFormat {
 
 }  // namespace
 
-std::unique_ptr<ExportFormat> make_zemax_format() { return std::make_unique<ZemaxFormat>(); }
+std::unique_ptr<Format> make_zemax_format() { return std::make_unique<ZemaxFormat>(); }
 
 }  // namespace brdftab

@@ -56,7 +56,7 @@ struct Measurement {
 
 /// What the user says about a file's conventions.
 struct MeasurementOptions {
-  /// csv, alta, astm, zemax or merl; empty: by the file's name.
+  /// The name of a format that is read as a measurement; empty: the file's extension tells it.
   std::string format = {};
   /// Of the angles; none: the layout's own (csv and zemax: degrees, alta and astm: radians).
   std::optional<AngleUnit> angles = {};

@@ -1,6 +1,8 @@
-#include "host/commands/measurement_option.hpp"
+#include "host/commands/options/measurement_option.hpp"
 
 #include <fmt/format.h>
+
+#include "host/formats/read_measurement.hpp"
 
 namespace brdftab {
 namespace {
@@ -19,7 +21,7 @@ void MeasurementOption::add(CLI::App& parser) {
   for (const ValueKindRow& row : value_kind_table) kinds += fmt::format("; {}: {}", row.name, row.meaning);
   all_ = {
       parser.add_option("--format", options_.format, "Of the measurement; default: by its extension")
-          ->check(CLI::IsMember({"csv", "alta", "astm", "zemax", "merl"})),
+          ->check(CLI::IsMember(measurement_formats())),
       parser
           .add_option("--angles", angles_,
                       "Unit of the measurement's angles; default: degrees in csv and zemax, radians in alta "

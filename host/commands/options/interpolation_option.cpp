@@ -1,4 +1,4 @@
-#include "host/commands/interpolation_option.hpp"
+#include "host/commands/options/interpolation_option.hpp"
 
 #include "host/base/numbers.hpp"
 
