@@ -10,6 +10,7 @@
 #include "host/base/partial_file.hpp"
 #include "host/compute/plan.hpp"
 #include "host/compute/rounding.hpp"
+#include "host/table/chunk.hpp"
 #include "host/table/slab_ring.hpp"
 #include "host/table/validation/spot_check.hpp"
 
