@@ -2,11 +2,11 @@
 
 #include <fcntl.h>
 #include <stdio.h>
-#include <sys/stat.h>
 #include <sys/statvfs.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <random>
 #include <system_error>
 
 #include "host/base/error.hpp"
@@ -16,8 +16,23 @@ namespace {
 
 std::string system_message(int code) { return std::generic_category().message(code); }
 
+// Creates an empty file under a name that nobody has. mkstemp would make it private, and nothing but opening
+// a file tells what the umask leaves of its mode without a moment in which other threads see another umask.
+std::filesystem::path created_in(const std::filesystem::path& folder, const std::filesystem::path& target) {
+  std::random_device random;
+  for (;;) {
+    const auto name = folder / fmt::format(".{}.{:08x}", target.filename().string(), random());
+    const int descriptor = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (descriptor >= 0) {
+      close(descriptor);
+      return name;
+    }
+    if (errno != EEXIST) throw FileError("{}: cannot be written: {}", target.string(), system_message(errno));
+  }
+}
+
 [[noreturn]] void refuse_overwrite(const std::filesystem::path& target) {
-  throw FileError("{}: exists; --force overwrites it", target.string());
+  throw FileError("{}: exists; `force` overwrites it", target.string());
 }
 
 }  // namespace
@@ -25,7 +40,7 @@ std::string system_message(int code) { return std::generic_category().message(co
 PartialFile::PartialFile(std::filesystem::path target, bool force)
     : target_(std::move(target)), force_(force) {
   std::error_code error;
-  // Through a link, so that the link stays.
+  // A link is followed, so that it stays.
   if (std::filesystem::is_symlink(target_, error))
     target_ = std::filesystem::weakly_canonical(target_, error);
   const auto folder = target_.has_parent_path() ? target_.parent_path() : std::filesystem::path(".");
@@ -36,14 +51,7 @@ PartialFile::PartialFile(std::filesystem::path target, bool force)
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
     throw FileError("{}: is not a regular file", target_.string());
   if (!force && std::filesystem::exists(status)) refuse_overwrite(target_);
-  std::string name = (folder / fmt::format(".{}.XXXXXX", target_.filename().string())).string();
-  const int descriptor = mkstemp(name.data());
-  if (descriptor < 0) throw FileError("{}: cannot be written: {}", target_.string(), system_message(errno));
-  const mode_t mask = umask(0);
-  umask(mask);
-  fchmod(descriptor, 0666 & ~mask);
-  close(descriptor);
-  partial_ = name;
+  partial_ = created_in(folder, target_);
 }
 
 PartialFile::~PartialFile() {

@@ -1,11 +1,11 @@
-// An output that appears under its name only when it is complete.
+// An output appears under its name only when it is complete.
 #pragma once
 
 #include <filesystem>
 
 namespace brdftab {
 
-/// A file written beside its place and renamed by `commit`; removed if that does not happen.
+/// The file is written beside its place and renamed by `commit`; it is removed if that does not happen.
 class PartialFile {
  public:
   /// Throws FileError if `target` exists and `force` is not set, if its folder is missing or not writable, or
@@ -23,7 +23,7 @@ class PartialFile {
   /// Throws FileError unless the folder has room for `bytes`.
   void require_space(unsigned long long bytes) const;
 
-  /// Gives the file its name. Without `force`, never over a file that has appeared meanwhile.
+  /// Gives the file its name; without `force`, never over a file that has appeared meanwhile.
   void commit();
 
  private:

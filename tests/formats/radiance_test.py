@@ -202,10 +202,42 @@ class Tree(Written):
         text = self.written(VINYL, "--radiance-depth", 3).read_text()
         for damaged, part in ((text.replace("TensorTree3", "TensorTree5"), "IncidentDataStructure"),
                               (text.replace("{ ", "{ x", 1), "not a number"),
-                              (text[:text.index("</ScatteringData>")], "WavelengthData")):
+                              (text[:text.index("</ScatteringData>")], "is not XML")):
             file = self.folder / "damaged.xml"
             file.write_text(damaged)
             self.assert_refused(run("validate", file), BAD_INPUT, file, part)
+
+    def test_a_refusal_names_the_line(self):
+        text = self.written(VINYL, "--radiance-depth", 3).read_text()
+        file = self.folder / "line.xml"
+        file.write_text(text.replace("TensorTree3", "TensorTree5"))
+        line = 1 + text[:text.index("<IncidentDataStructure>")].count("\n")
+        self.assert_refused(run("validate", file), BAD_INPUT, f"{file}:{line}: <IncidentDataStructure>: TensorTree5")
+
+    def test_xml_is_read_as_xml(self):
+        """Comments, CDATA, attributes, prefixes and encodings of others' files change nothing of what is read."""
+        file = self.written(VINYL, "--radiance-basis", "klems")
+        right = run("validate", "--json", file).stdout
+        text = file.read_text()
+        head, data = text.split("<ScatteringData>")
+        data, tail = data.split("</ScatteringData>")
+        numbers = data.split("\n")
+        half = len(numbers) // 2
+        cases = {
+            "a comment": f"{head}<!-- was <ScatteringData>0</ScatteringData> --><ScatteringData>{data}</ScatteringData>{tail}",
+            "a comment inside": "\n".join([f"{head}<ScatteringData>", *numbers[:half], "<!-- half -->", *numbers[half:]]) + f"</ScatteringData>{tail}",
+            "CDATA": f"{head}<ScatteringData><![CDATA[{data}]]></ScatteringData>{tail}",
+            "an attribute": f"{head}<ScatteringData note='a &gt; b > c'>{data}</ScatteringData>{tail}",
+            "an entity": text.replace("Reflection Back", "Reflection&#32;Back").replace("LBNL/Klems Full", "LBNL/Klems&#x20;Full"),
+            "a prefix": re.sub(r"<(/?)(\w+)(?=[ >])", r"<\1w:\2", text).replace("xmlns=", "xmlns:w="),
+        }
+        for name, changed in cases.items():
+            with self.subTest(name):
+                self.assertNotEqual(changed, text)
+                file.write_text(changed)
+                self.assertEqual(run("validate", "--json", file).stdout, right)
+        file.write_bytes(text.replace('encoding="UTF-8"', 'encoding="UTF-16"').encode("utf-16"))
+        self.assertEqual(run("validate", "--json", file).stdout, right)
 
     def test_interpolation_is_within_the_tolerance_asked(self):
         draw = random.Random(3)

@@ -1,8 +1,9 @@
-// BSDF of Radiance in XML, as a matrix over Klems patches or as a tensor tree of rank 3.
+// Radiance's BSDF files in XML hold a matrix over Klems patches or a tensor tree of rank 3.
 #include <algorithm>
 #include <array>
 #include <iterator>
 #include <numbers>
+#include <sstream>
 
 #include "host/base/error.hpp"
 #include "host/base/numbers.hpp"
@@ -12,6 +13,7 @@
 #include "host/formats/radiance/klems_basis.hpp"
 #include "host/formats/radiance/radiance_reader.hpp"
 #include "host/formats/radiance/tensor_tree.hpp"
+#include "host/formats/radiance/xml_file.hpp"
 #include "host/formats/registry.hpp"
 #include "host/table/table_content.hpp"
 
@@ -39,29 +41,34 @@ std::string matrix_text(const std::vector<double>& matrix) {
   return fmt::to_string(text);
 }
 
-std::vector<double> read_matrix(const XmlText& data) {
-  for (const auto name : {"ColumnAngleBasis", "RowAngleBasis"})
-    if (data.text(name) != klems_name)
-      data.refuse(name, fmt::format("{}; only {} is read", data.text(name), klems_name));
-  std::vector<double> matrix;
-  std::string_view rest = data.text("ScatteringData");
+std::vector<double> numbers(const std::string& text, const XmlElement& data) {
+  std::vector<double> values;
+  std::string_view rest = text;
   while (!(rest = trimmed(rest)).empty()) {
     const auto end = std::min(rest.find_first_of(" \t\r\n,"), rest.size());
     const auto value = parse_number(rest.substr(0, end));
     if (!value) data.refuse("ScatteringData", fmt::format("{}: not a number", excerpt(rest.substr(0, end))));
-    matrix.push_back(std::max(*value, 0.));
+    values.push_back(std::max(*value, 0.));
     rest.remove_prefix(std::min(end + 1, rest.size()));
   }
+  return values;
+}
+
+std::vector<double> read_matrix(const XmlElement& data) {
+  for (const auto name : {"ColumnAngleBasis", "RowAngleBasis"})
+    if (const std::string basis = data.text(name); basis != klems_name)
+      data.refuse(name, fmt::format("{}; only {} is read", basis, klems_name));
+  std::vector<double> matrix = numbers(data.text("ScatteringData"), data);
   if (matrix.size() != klems_patches * klems_patches)
     data.refuse("ScatteringData",
                 fmt::format("{} values; {} are needed", matrix.size(), klems_patches * klems_patches));
   return matrix;
 }
 
-// In the order of `radiance_wavelengths`, however the file has them.
-Channels read_matrices(const XmlText& xml) {
+// Gives the matrices in the order of `radiance_wavelengths`, however the file has them.
+Channels read_matrices(const XmlElement& xml) {
   Channels matrices(radiance_wavelengths.size());
-  for (const XmlText& data : xml.elements("WavelengthData")) {
+  for (const XmlElement& data : xml.elements("WavelengthData")) {
     const auto wavelength =
         std::find(radiance_wavelengths.begin(), radiance_wavelengths.end(), data.text("Wavelength"));
     if (wavelength == radiance_wavelengths.end()) continue;
@@ -70,22 +77,24 @@ Channels read_matrices(const XmlText& xml) {
     matrix = read_matrix(data);
   }
   std::erase_if(matrices, [](const auto& matrix) { return matrix.empty(); });
+  if (matrices.size() != 1 && matrices.size() != 3)
+    xml.refuse("WavelengthData",
+               fmt::format("{} channels of luminance and colour; there must be 1 or 3", matrices.size()));
   return matrices;
 }
 
-TensorTree read_tree(const XmlText& xml) {
-  for (const XmlText& data : xml.elements("WavelengthData")) {
-    if (data.text("Wavelength") != radiance_wavelengths.front()) {
-      data.refuse("Wavelength",
-                  fmt::format("{}; trees are read of luminance alone", data.text("Wavelength")));
-    }
-    try {
-      return TensorTree::parsed(data.text("ScatteringData"));
-    } catch (const BadInput& fault) {
-      data.refuse("ScatteringData", fault.what());
-    }
+TensorTree read_tree(const XmlElement& xml) {
+  const auto all = xml.elements("WavelengthData");
+  if (all.empty()) xml.refuse("WavelengthData", "is missing");
+  const XmlElement& data = all.front();
+  if (const std::string wavelength = data.text("Wavelength"); wavelength != radiance_wavelengths.front())
+    data.refuse("Wavelength", fmt::format("{}; trees are read of luminance alone", wavelength));
+  const std::string text = data.text("ScatteringData");
+  try {
+    return TensorTree::parsed(text);
+  } catch (const BadInput& fault) {
+    data.refuse("ScatteringData", fault.what());
   }
-  xml.refuse("WavelengthData", "is missing");
 }
 
 class RadianceFormat : public ExportFormat {
@@ -136,8 +145,7 @@ class RadianceFormat : public ExportFormat {
     } else {
       definition = fmt::format("<IncidentDataStructure>{}</IncidentDataStructure>\n", tree_name);
       const TensorTree tree = grown(source);
-      for (std::size_t channel = 0; channel < tree.channels(); ++channel)
-        data.push_back(tree.text(channel) + '\n');
+      data.push_back(tree.text() + '\n');
       notes.push_back(fmt::format("a tensor tree of {} cells", tree.leaves()));
     }
     const bool colour = data.size() == 3;
@@ -162,31 +170,29 @@ class RadianceFormat : public ExportFormat {
   }
 
   bool recognises(const std::filesystem::path&, std::string_view beginning) const override {
-    return beginning.find("<?xml") != beginning.npos && beginning.find("<WindowElement") != beginning.npos;
+    // UTF-16 has a zero beside each letter.
+    std::string text(beginning);
+    std::erase(text, '\0');
+    return text.find("<?xml") != text.npos && text.find("WindowElement") != text.npos;
   }
 
   std::unique_ptr<ExportReader> read(const std::filesystem::path& file) const override {
-    const std::string text = read_whole(file);
-    const XmlText xml(text, file.string());
+    const XmlFile xml(file);
     Description description;
-    for (const std::string& line : xml.comment_lines()) description.read(line);
-    const auto structure = xml.text("IncidentDataStructure");
-    if (structure == "Columns")
-      return klems_table(std::move(description), one_or_three(xml, read_matrices(xml)));
-    if (structure == tree_name) return tree_table(std::move(description), read_tree(xml));
-    xml.refuse("IncidentDataStructure", fmt::format("{}; Columns and {} are read", structure, tree_name));
+    for (const std::string& comment : xml.comments()) {
+      std::istringstream lines(comment);
+      for (std::string line; std::getline(lines, line);) description.read(xml_comment_line(line));
+    }
+    const XmlElement root = xml.root();
+    const std::string structure = root.text("IncidentDataStructure");
+    if (structure == "Columns") return klems_reader(std::move(description), read_matrices(root));
+    if (structure == tree_name) return tree_reader(std::move(description), read_tree(root));
+    root.refuse("IncidentDataStructure", fmt::format("{}; Columns and {} are read", structure, tree_name));
   }
 
  private:
-  static Channels one_or_three(const XmlText& xml, Channels channels) {
-    if (channels.size() != 1 && channels.size() != 3)
-      xml.refuse("WavelengthData",
-                 fmt::format("{} channels of luminance and colour; there must be 1 or 3", channels.size()));
-    return channels;
-  }
-
   TensorTree grown(const ExportModel& source) const {
-    // The mean of f by which darkness is judged: of a diffuse surface with the same reflectance.
+    // Darkness is judged by the f of a diffuse surface with the same reflectance.
     const std::array<double, 1> near_normal{30.};
     double reflectance = 0;
     for (const auto& band : source.dhr(near_normal)) reflectance = std::max(reflectance, band.front());
@@ -195,7 +201,7 @@ class RadianceFormat : public ExportFormat {
         [&](const std::vector<TreePoint>& points) {
           Directions directions;
           for (const TreePoint& point : points) add(directions, point);
-          return source.evaluate(directions);
+          return source.evaluate(directions).front();
         },
         {.depth = depth_,
          .tolerance = tolerance_,

@@ -33,7 +33,8 @@ class RadianceReader : public ExportReader {
   bool colour_;
 };
 
-// What the values are of a cell, which the file does not say: that to which they are nearer in the median.
+// A file does not say what its values are of a cell: they are taken for what they are nearer to in the
+// median.
 template <class Right>
 PatchValue nearer(const std::vector<double>& held, const Right& right) {
   const auto off = [&](PatchValue value) {
@@ -93,8 +94,7 @@ class TreeReader : public RadianceReader {
 
   Channels evaluate(const Directions& directions) const override {
     Channels f(1);
-    for (std::size_t k = 0; k < directions.size(); ++k)
-      f[0].push_back(tree_.at(0, tree_point(directions, k)));
+    for (std::size_t k = 0; k < directions.size(); ++k) f[0].push_back(tree_.at(tree_point(directions, k)));
     return f;
   }
   std::string interpolation() const override { return "the nearest cell of the tree"; }
@@ -115,8 +115,8 @@ class TreeReader : public RadianceReader {
                                            std::min(cells_at_once, cells.size() - begin));
       const auto f = right_values(source, some, value);
       for (std::size_t k = 0; k < some.size(); ++k) {
-        right.set_value(0, some[k].node, static_cast<float>(f[k]));
-        errors.compare(tree_.value(0, some[k].node), f[k], [&] {
+        right.set_value(some[k].node, static_cast<float>(f[k]));
+        errors.compare(tree_.value(some[k].node), f[k], [&] {
           Directions centre;
           add(centre, some[k].centres().back());
           return fmt::format("the cell of the tree about {}", angles_text(centre, 0));
@@ -128,7 +128,7 @@ class TreeReader : public RadianceReader {
 
  private:
   static constexpr std::size_t cells_at_once = 1 << 15;
-  // Of the first coordinate; an isotropic surface needs no more.
+  // An isotropic surface needs the first coordinate up to here only.
   static constexpr double half_used = 0.5;
 
   static std::vector<double> right_values(const ExportModel& source, std::span<const TreeCell> cells,
@@ -148,14 +148,14 @@ class TreeReader : public RadianceReader {
     return result;
   }
 
-  // By some cells all over the cube.
+  // Judges by some cells all over the cube.
   PatchValue value_of_cells(const ExportModel& source, const std::vector<TreeCell>& cells) const {
     constexpr std::size_t enough = 2000;
     std::vector<TreeCell> some;
     std::vector<double> held;
     for (std::size_t k = 0; k < cells.size(); k += cells.size() / enough + 1) {
       some.push_back(cells[k]);
-      held.push_back(tree_.value(0, cells[k].node));
+      held.push_back(tree_.value(cells[k].node));
     }
     return nearer(held, [&](PatchValue value) { return right_values(source, some, value); });
   }
@@ -172,11 +172,11 @@ Channels radiance_colours(const ExportModel& source, const Channels& by_band) {
   return xyz;
 }
 
-std::unique_ptr<ExportReader> klems_table(Description description, Channels matrices) {
+std::unique_ptr<ExportReader> klems_reader(Description description, Channels matrices) {
   return std::make_unique<KlemsReader>(std::move(description), std::move(matrices));
 }
 
-std::unique_ptr<ExportReader> tree_table(Description description, TensorTree tree) {
+std::unique_ptr<ExportReader> tree_reader(Description description, TensorTree tree) {
   return std::make_unique<TreeReader>(std::move(description), std::move(tree));
 }
 

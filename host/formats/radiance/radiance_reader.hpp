@@ -1,5 +1,4 @@
-// What Radiance makes of a BSDF file: f constant over pairs of Klems patches, or over the cells of a tensor
-// tree.
+// Radiance takes f as constant over pairs of Klems patches, or over the cells of a tensor tree.
 #pragma once
 
 #include <array>
@@ -13,16 +12,17 @@
 
 namespace brdftab {
 
-/// The components that Radiance looks for, luminance first.
+/// Radiance looks for these components, luminance first.
 inline constexpr std::array<std::string_view, 3> radiance_wavelengths{"Visible", "CIE-X", "CIE-Z"};
 
-/// [component][direction] from [band][direction]: luminance alone, or with X and Z.
+/// Makes [component][direction] of [band][direction]: luminance alone, or with X and Z.
 std::vector<std::vector<double>> radiance_colours(const ExportModel& source,
                                                   const std::vector<std::vector<double>>& by_band);
 
-/// Matrices as klems_matrix has them, of one component or three.
-std::unique_ptr<ExportReader> klems_table(Description description, std::vector<std::vector<double>> matrices);
+/// Takes matrices as klems_matrix has them, of one component or three.
+std::unique_ptr<ExportReader> klems_reader(Description description,
+                                           std::vector<std::vector<double>> matrices);
 
-std::unique_ptr<ExportReader> tree_table(Description description, TensorTree tree);
+std::unique_ptr<ExportReader> tree_reader(Description description, TensorTree tree);
 
 }  // namespace brdftab

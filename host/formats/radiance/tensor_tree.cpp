@@ -7,6 +7,8 @@
 #include <cmath>
 #include <iterator>
 #include <numbers>
+#include <numeric>
+#include <span>
 
 #include "host/base/angle.hpp"
 #include "host/base/error.hpp"
@@ -23,8 +25,8 @@ struct Square {
   double a, b;
 };
 
-// P. Shirley and K. Chiu, "A low distortion map between disk and square", 1997: quarters of the square to
-// quarters of the disk, the radius along the axis and the azimuth linear across.
+// Quarters of the square become quarters of the disk, with the radius along the axis and the azimuth linear
+// across. Source: P. Shirley and K. Chiu, "A low distortion map between disk and square", 1997.
 Square disk_from_square(const Square& square) {
   const double a = 2 * square.a - 1, b = 2 * square.b - 1;
   const bool along_a = std::abs(a) > std::abs(b);
@@ -77,11 +79,11 @@ TreePoint tree_point(const Directions& directions, std::size_t k) {
 void TensorTree::cut(std::size_t node) {
   first_child_[node] = static_cast<std::int32_t>(first_child_.size());
   first_child_.resize(first_child_.size() + eighths, -1);
-  for (auto& channel : values_) channel.resize(first_child_.size(), 0.0f);
+  values_.resize(first_child_.size(), 0.0f);
 }
 
 void TensorTree::mirror(std::size_t from, std::size_t to) {
-  for (auto& channel : values_) channel[to] = channel[from];
+  values_[to] = values_[from];
   if (is_leaf(from)) return;
   cut(to);
   for (std::size_t k = 0; k < eighths; ++k) mirror(child(from, k ^ 4), child(to, k));
@@ -89,7 +91,6 @@ void TensorTree::mirror(std::size_t from, std::size_t to) {
 
 TensorTree TensorTree::refined(const Function& function, const TreeRefinement& refinement) {
   TensorTree tree;
-  tree.values_.assign(function({{0.25, 0.5, 0.5}}).size(), {0.0f});
   tree.cut(0);
   std::vector<Cell> cells{{tree.child(0, 0), {0, 0, 0}}, {tree.child(0, 2), {0, 0.5, 0}}};
   double size = 0.5;
@@ -106,23 +107,17 @@ TensorTree TensorTree::refined(const Function& function, const TreeRefinement& r
       const std::size_t stride = points.size() / (end - begin);
       const auto f = function(points);
       for (std::size_t c = begin; c < end; ++c) {
-        const auto first = static_cast<std::ptrdiff_t>((c - begin) * stride);
-        const auto mean = [&](const std::vector<double>& channel) {
-          double sum = 0;
-          for (std::size_t k = 0; k < eighths; ++k) sum += channel[static_cast<std::size_t>(first) + k];
-          return sum / eighths;
-        };
-        const auto [low, high] = std::minmax_element(f[0].begin() + first, f[0].begin() + first + eighths);
-        const bool varies = *high - *low > refinement.tolerance * std::max(mean(f[0]), refinement.floor);
+        const std::span<const double> here = std::span(f).subspan((c - begin) * stride, stride);
+        const auto of_eighths = here.first(eighths);
+        const auto [low, high] = std::minmax_element(of_eighths.begin(), of_eighths.end());
+        const double mean = std::accumulate(of_eighths.begin(), of_eighths.end(), 0.) / eighths;
+        const bool varies = *high - *low > refinement.tolerance * std::max(mean, refinement.floor);
         if (level < refinement.depth && (level < coarsest_level || varies)) {
           tree.cut(cells[c].node);
           for (std::size_t k = 0; k < eighths; ++k)
             next.push_back({tree.child(cells[c].node, k), corner_of_eighth(cells[c].corner, size, k)});
         } else {
-          for (std::size_t channel = 0; channel < f.size(); ++channel)
-            tree.values_[channel][cells[c].node] = static_cast<float>(
-                refinement.average ? mean(f[channel])
-                                   : f[channel][static_cast<std::size_t>(first) + eighths]);
+          tree.values_[cells[c].node] = static_cast<float>(refinement.average ? mean : here.back());
         }
       }
     }
@@ -160,7 +155,7 @@ std::vector<TreeCell> TensorTree::cells() const {
   return cells;
 }
 
-double TensorTree::at(std::size_t channel, TreePoint point) const {
+double TensorTree::at(TreePoint point) const {
   std::size_t node = 0;
   while (!is_leaf(node)) {
     std::size_t k = 0;
@@ -173,38 +168,36 @@ double TensorTree::at(std::size_t channel, TreePoint point) const {
     }
     node = child(node, k);
   }
-  return static_cast<double>(values_[channel][node]);
+  return static_cast<double>(values_[node]);
 }
 
-void TensorTree::print(std::size_t channel, std::size_t node, std::string& out) const {
-  const auto append = [&](std::size_t n) {
-    fmt::format_to(std::back_inserter(out), " {:.7g}", values_[channel][n]);
-  };
+void TensorTree::print(std::size_t node, std::string& out) const {
+  const auto append = [&](std::size_t n) { fmt::format_to(std::back_inserter(out), " {:.7g}", values_[n]); };
   out += '{';
   if (is_leaf(node)) {
     append(node);
   } else if (std::all_of(&first_child_[child(node, 0)], &first_child_[child(node, 0)] + eighths,
                          [](auto first) { return first < 0; })) {
-    // A grid of two nodes in each dimension, the last the fastest.
+    // The leaves are written as a grid of two nodes in each dimension, the last the fastest.
     for (const std::size_t k : {0, 4, 2, 6, 1, 5, 3, 7}) append(child(node, k));
   } else {
     for (std::size_t k = 0; k < eighths; ++k) {
       out += '\n';
-      print(channel, child(node, k), out);
+      print(child(node, k), out);
     }
   }
   out += " }";
 }
 
-std::string TensorTree::text(std::size_t channel) const {
+std::string TensorTree::text() const {
   std::string out;
-  print(channel, 0, out);
+  print(0, out);
   return out;
 }
 
 class TreeParser {
  public:
-  explicit TreeParser(std::string_view text) : text_(text) { tree_.values_.resize(1, {0.0f}); }
+  explicit TreeParser(std::string_view text) : text_(text) {}
 
   TensorTree parse() {
     node(0);
@@ -253,7 +246,7 @@ class TreeParser {
   void fill(std::size_t n, const std::vector<float>& grid, std::size_t across, std::size_t corner,
             std::size_t size) {
     if (size == 1) {
-      tree_.values_[0][n] = grid[corner];
+      tree_.values_[n] = grid[corner];
       return;
     }
     tree_.cut(n);

@@ -1,4 +1,4 @@
-// Radiance's tensor tree: f constant over cells of a hypercube, smaller where f varies more.
+// In Radiance's tensor tree f is constant over cells of a hypercube, which are smaller where f varies more.
 #pragma once
 
 #include <array>
@@ -12,15 +12,16 @@
 
 namespace brdftab {
 
-/// A point of the hypercube of rank 3, for isotropic f: (1 - sin theta_i) / 2, and the direction of scatter,
-/// turned so that the light travels towards azimuth 0, on the square that Shirley and Chiu map the disk of
-/// direction cosines to.
+/// A point of the hypercube of rank 3, for isotropic f, has the coordinate (1 - sin theta_i) / 2, and the two
+/// of the direction of scatter on the square that Shirley and Chiu map the disk of direction cosines to. That
+/// direction is turned so that the light travels towards azimuth 0.
 using TreePoint = std::array<double, 3>;
 
-/// The pair of directions of a point whose first coordinate is below 1/2; the rest of the cube is not used.
+/// Adds the pair of directions of a point whose first coordinate is below 1/2; the rest of the cube is not
+/// used.
 void add(Directions& directions, const TreePoint& point);
 
-/// The point of a pair.
+/// Gives the point of a pair.
 TreePoint tree_point(const Directions& directions, std::size_t k);
 
 struct TreeRefinement {
@@ -28,7 +29,7 @@ struct TreeRefinement {
   int depth;
   /// A cell is cut in eight where f at the centres of those differ by more than this share of their mean.
   double tolerance;
-  /// Where the mean is below this, 1/sr, the share is of this.
+  /// Where the mean is below this, 1/sr, the share is one of this value instead.
   double floor;
   /// Each cell holds the mean of f at the centres of its eighths, or f at its own centre.
   bool average;
@@ -40,32 +41,33 @@ struct TreeCell {
   TreePoint corner;  // the one nearest to the origin
   double size;
 
-  /// The centres of its eighths, and its own last.
+  /// Gives the centres of its eighths, and its own last.
   std::array<TreePoint, 9> centres() const;
 };
 
 class TensorTree {
  public:
-  /// Values at points, [channel][point]; the first channel decides where cells are cut.
-  using Function = std::function<std::vector<std::vector<double>>(const std::vector<TreePoint>&)>;
+  /// It gives values at points.
+  using Function = std::function<std::vector<double>(const std::vector<TreePoint>&)>;
 
-  /// A tree of rank 3 of a function that is even in the azimuth; 0 in the half of the cube that is not used.
+  /// Makes a tree of rank 3 of a function that is even in the azimuth. The tree is 0 in the half of the cube
+  /// that is not used.
   static TensorTree refined(const Function& function, const TreeRefinement& refinement);
 
-  /// From <ScatteringData>. Throws BadInput, which says what is wrong in it but not where.
+  /// Takes the text of <ScatteringData>. Throws BadInput, which says what is wrong in it but not where.
   static TensorTree parsed(std::string_view text);
 
-  std::string text(std::size_t channel) const;
+  /// Gives the text that <ScatteringData> has.
+  std::string text() const;
 
-  std::size_t channels() const { return values_.size(); }
-  /// Cells that are not cut.
+  /// Counts the cells that are not cut.
   std::size_t leaves() const;
-  double at(std::size_t channel, TreePoint point) const;
+  double at(TreePoint point) const;
 
-  /// All of them, in the order of the text.
+  /// Gives the cells that are not cut, in the order of the text.
   std::vector<TreeCell> cells() const;
-  float value(std::size_t channel, std::size_t node) const { return values_[channel][node]; }
-  void set_value(std::size_t channel, std::size_t node, float value) { values_[channel][node] = value; }
+  float value(std::size_t node) const { return values_[node]; }
+  void set_value(std::size_t node, float value) { values_[node] = value; }
 
  private:
   friend class TreeParser;
@@ -77,13 +79,13 @@ class TensorTree {
   void cut(std::size_t node);
   /// Makes `to` the image of `from` with the last coordinate reversed.
   void mirror(std::size_t from, std::size_t to);
-  void print(std::size_t channel, std::size_t node, std::string& out) const;
+  void print(std::size_t node, std::string& out) const;
   void collect(const TreeCell& cell, std::vector<TreeCell>& cells) const;
 
-  // By node; the eight children of a node that is cut lie together. Bit d of a child's number: the upper half
-  // in dimension d.
+  // Both lists go by node. The eight children of a node that is cut lie together; bit d of a child's number
+  // says that it is the upper half in dimension d.
   std::vector<std::int32_t> first_child_{-1};
-  std::vector<std::vector<float>> values_;  // [channel][node]
+  std::vector<float> values_{0.0f};
 };
 
 }  // namespace brdftab
