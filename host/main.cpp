@@ -12,6 +12,7 @@
 #include "host/commands/progress_bar.hpp"
 #include "host/compute/opencl/opencl.hpp"
 #include "host/compute/opencl/pocl_cache.hpp"
+#include "host/formats/hdf5/hdf5_exit.hpp"
 #include "host/table/table_content.hpp"
 
 namespace brdftab {
@@ -121,6 +122,7 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   using brdftab::ExitStatus;
   try {
+    brdftab::keep_hdf5_from_exit();
     return brdftab::run(argc, argv);
   } catch (const brdftab::Error& error) {
     // What a signal cut short fails in ways of its own.

@@ -1,4 +1,4 @@
-// netCDF for Eradiate's MQDiffuseBSDF: one band of isotropic f over two cosines and the difference of
+// Eradiate's MQDiffuseBSDF loads netCDF with one band of isotropic f over two cosines and the difference of
 // azimuths.
 #include <algorithm>
 #include <cmath>
@@ -25,10 +25,11 @@ constexpr std::string_view directions_text =
 constexpr std::string_view grazing_text =
     "The model ends before 90 degrees; nodes at a cosine of 0 hold f at half the cosine of the next node.";
 
-// Increasing, as the nodes of an axis are to be.
+// The place of a polar angle increases with it, as the nodes of an axis have to.
 double place(double theta) { return 1 - std::cos(theta / degrees_per_radian); }
 
-// Of the nodes of an axis of places. That of a cosine of 0 stands at half the cosine of the next node.
+// Gives the polar angles of an axis of places. The node of a cosine of 0 stands at half the cosine of the
+// next one.
 std::vector<double> polar_angles(const std::vector<double>& places) {
   std::vector<double> theta;
   for (std::size_t k = 0; k < places.size(); ++k) {
@@ -110,7 +111,7 @@ class EradiateFormat : public ExportFormat {
 
   std::vector<std::string> write(const std::filesystem::path& path,
                                  const ExportModel& source) const override {
-    hdf5_quiet();
+    const Hdf5Silence silence;
     std::vector<double> cosines, theta, phi_d;
     for (int k = 0; k < cosines_; ++k) cosines.push_back(static_cast<double>(k) / (cosines_ - 1));
     for (const double cosine : cosines)
@@ -148,7 +149,7 @@ class EradiateFormat : public ExportFormat {
 
   bool recognises(const std::filesystem::path& path, std::string_view beginning) const override {
     if (!beginning.starts_with(hdf5_signature)) return false;
-    hdf5_quiet();
+    const Hdf5Silence silence;
     const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
     if (file < 0) return false;
     const Hdf5Handle closing(file, path.string());
@@ -156,7 +157,7 @@ class EradiateFormat : public ExportFormat {
   }
 
   std::unique_ptr<ExportReader> read(const std::filesystem::path& path) const override {
-    hdf5_quiet();
+    const Hdf5Silence silence;
     const Hdf5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), path.string() + ": is damaged");
     const auto dataset = [&](const std::string& name) {
       return Hdf5Handle(H5Dopen2(file, name.c_str(), H5P_DEFAULT),

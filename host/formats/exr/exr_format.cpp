@@ -1,4 +1,4 @@
-// OpenEXR tables: a slice for each incidence, x = phi_s, y = theta_s, a pixel for each node.
+// OpenEXR tables have a slice for each incidence, with x = phi_s and y = theta_s, and a pixel for each node.
 #include <algorithm>
 
 #include "host/formats/exr/exr_reader.hpp"

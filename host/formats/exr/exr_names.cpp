@@ -10,7 +10,7 @@
 namespace brdftab {
 namespace {
 
-// Decimals that give every node back.
+// Counts the decimals that give every node back.
 int decimals(const Axis& axis) {
   int most = 0;
   for (const double angle : axis.nodes())

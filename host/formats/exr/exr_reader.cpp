@@ -8,7 +8,6 @@
 #include <OpenEXR/ImfMultiPartInputFile.h>
 #include <OpenEXR/ImfPartType.h>
 #include <OpenEXR/ImfStringAttribute.h>
-#include <OpenEXR/ImfThreading.h>
 #include <OpenEXR/ImfTiledInputPart.h>
 
 #include <algorithm>
@@ -26,6 +25,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// Tables are read in small pieces, which one thread takes as fast.
+constexpr int no_threads = 0;
+
 std::vector<double> numbers(std::string_view text) {
   std::vector<double> values;
   while (!text.empty()) {
@@ -42,7 +44,7 @@ std::optional<std::string> text_of(const Imf::Header& header, std::string_view n
   return attribute ? std::optional(attribute->value()) : std::nullopt;
 }
 
-// The node that a slice's angle names: attributes keep doubles whole, so that they are equal.
+// Finds the node that a slice's angle names: attributes keep doubles whole, so that both are equal.
 std::optional<std::size_t> index_of(const std::vector<double>& axis, const Imf::Header& header,
                                     std::string_view name) {
   const auto* angle = header.findTypedAttribute<Imf::DoubleAttribute>(std::string(name));
@@ -55,7 +57,6 @@ std::optional<std::size_t> index_of(const std::vector<double>& axis, const Imf::
 class ExrReader : public TableReader {
  public:
   explicit ExrReader(const fs::path& path) : path_(path) {
-    Imf::setGlobalThreadCount(0);
     guarded([&] {
       if (fs::is_directory(path))
         open_folder();
@@ -97,7 +98,7 @@ class ExrReader : public TableReader {
   }
 
   void open(const fs::path& file) {
-    auto input = std::make_unique<Imf::MultiPartInputFile>(file.c_str());
+    auto input = std::make_unique<Imf::MultiPartInputFile>(file.c_str(), no_threads);
     for (int part = 0; part < input->parts(); ++part)
       if (!input->partComplete(part))
         throw FileError("{}: is truncated: part {} is not complete", file.string(), part);

@@ -11,7 +11,7 @@ namespace brdftab {
 
 class ExrStream : public Imf::OStream {
  public:
-  /// Over an existing file, or a new one. Throws FileError.
+  /// Writes over an existing file, or a new one. Throws FileError.
   explicit ExrStream(const std::filesystem::path& path);
   ~ExrStream() override;
 
@@ -19,7 +19,7 @@ class ExrStream : public Imf::OStream {
   uint64_t tellp() override { return position_; }
   void seekp(uint64_t position) override;
 
-  /// After the OpenEXR file is gone. Throws FileError if anything was not written.
+  /// To be called after the OpenEXR file is gone. Throws FileError if anything was not written.
   void close();
 
  private:

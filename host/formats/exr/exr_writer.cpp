@@ -36,6 +36,13 @@ std::string comma_separated(std::span<const double> values) {
   return text;
 }
 
+// OpenEXR's threads work for all files of the process. Where nobody has started any, they are started for the
+// first file that is compressed, and stay.
+int threads_of_process() {
+  if (Imf::globalThreadCount() == 0) Imf::setGlobalThreadCount(static_cast<int>(hardware_threads()));
+  return Imf::globalThreadCount();
+}
+
 std::string prefixed(std::string_view name) { return std::string(exr_prefix) + std::string(name); }
 
 void insert(Imf::Header& header, const std::string& name, const AttributeValue& value) {
@@ -47,7 +54,7 @@ void insert(Imf::Header& header, const std::string& name, const AttributeValue& 
     header.insert(name, Imf::StringAttribute(comma_separated(std::get<std::vector<double>>(value))));
 }
 
-// A folder that vanishes unless it is given its name.
+// This folder vanishes unless it is given its name.
 class ScratchFolder {
  public:
   explicit ScratchFolder(fs::path path) : path_(std::move(path)) { fs::create_directory(path_); }
@@ -81,8 +88,6 @@ class ExrWriter : public TableWriter {
   }
 
   void finish(const TableFindings& findings) override {
-    const bool zip = options_.compression == ExrCompression::zip;
-    Imf::setGlobalThreadCount(zip ? static_cast<int>(hardware_threads()) : 0);
     samples_.resize(channels_.size() * slice_nodes());
     try {
       if (options_.layout == ExrLayout::parts)
@@ -97,7 +102,7 @@ class ExrWriter : public TableWriter {
   }
 
  private:
-  // By band, then polarisation.
+  // Channels go by band, then by polarisation.
   std::vector<std::string> channels() const {
     std::vector<std::string> names;
     for (const Band& band : content_.material.bands())
@@ -117,11 +122,11 @@ class ExrWriter : public TableWriter {
 
   void require_representable() const {
     if (content_.precision != Precision::float32)
-      throw BadInput("OpenEXR holds float32 only: --precision float64 needs HDF5");
+      throw BadInput("OpenEXR holds float32 only: `precision` float64 needs HDF5");
     if (options_.layout == ExrLayout::parts && slices_ > most_exr_parts)
       throw BadInput(
           "{} slices (theta_i x phi_i) are too many for parts of one OpenEXR file: at most {}, as viewers "
-          "load all of them; --exr-layout tiles makes one tiled image, --exr-layout files a file for each "
+          "load all of them; `exr_layout` tiles makes one tiled image, `exr_layout` files a file for each "
           "slice; HDF5 has no such limit",
           slices_, most_exr_parts);
     const std::size_t across = options_.layout == ExrLayout::tiles ? grid_.phi_i.size() : 1;
@@ -173,7 +178,7 @@ class ExrWriter : public TableWriter {
            std::string(exr_layout_names[static_cast<std::size_t>(options_.layout)]));
     insert(header, prefixed("theta_i"), comma_separated(grid_.theta_i.nodes()));
     insert(header, prefixed("phi_i"), comma_separated(grid_.phi_i.nodes()));
-    // CF is netCDF's.
+    // The conventions of CF are for netCDF only.
     for (const auto& attribute : content_attributes(content_))
       if (attribute.name != "Conventions") insert(header, prefixed(attribute.name), attribute.value);
     for (const auto& integral : integral_variables(findings.integrals))
@@ -182,9 +187,12 @@ class ExrWriter : public TableWriter {
       insert(header, prefixed(attribute.name), attribute.value);
   }
 
+  // What is not compressed is written fastest by one thread.
+  int threads() const { return options_.compression == ExrCompression::zip ? threads_of_process() : 0; }
+
   std::size_t slice_nodes() const { return grid_.theta_s.size() * grid_.phi_s.size(); }
 
-  // Reads a slice; its samples as the image whose pixel (0, 0) is its first node.
+  // Reads a slice, and gives its samples as the image whose pixel (0, 0) is its first node.
   Imf::FrameBuffer frame(std::size_t slice, bool tile) {
     const std::size_t row = grid_.phi_s.size() * sizeof(float);
     Imf::FrameBuffer buffer;
@@ -202,7 +210,8 @@ class ExrWriter : public TableWriter {
                        std::size_t first_slice) {
     ExrStream stream(file);
     {
-      Imf::MultiPartOutputFile out(stream, headers.data(), static_cast<int>(headers.size()));
+      Imf::MultiPartOutputFile out(stream, headers.data(), static_cast<int>(headers.size()), false,
+                                   threads());
       for (std::size_t k = 0; k < headers.size(); ++k) {
         content_.watch.stop_if_asked();
         Imf::OutputPart part(out, static_cast<int>(k));
@@ -247,7 +256,7 @@ class ExrWriter : public TableWriter {
     describe_table(whole, findings);
     ExrStream stream(path_);
     {
-      Imf::MultiPartOutputFile out(stream, &whole, 1);
+      Imf::MultiPartOutputFile out(stream, &whole, 1, false, threads());
       Imf::TiledOutputPart part(out, 0);
       for (std::size_t slice = 0; slice < slices_; ++slice) {
         content_.watch.stop_if_asked();

@@ -12,7 +12,7 @@ namespace brdftab {
 class TableWriter;
 struct TableContent;
 
-/// Both lossless.
+/// Both are lossless.
 enum class ExrCompression { none, zip };
 
 struct ExrOptions {
@@ -20,12 +20,12 @@ struct ExrOptions {
   ExrCompression compression = ExrCompression::none;
 };
 
-/// Viewers load every part of a file.
+/// A file has no more parts than this, since viewers load every one.
 inline constexpr std::size_t most_exr_parts = 1024;
 
-/// A pixel needs all its channels at once, and a header what is known at the end: samples wait in a scratch
-/// file beside `file`, and `finish` writes the table over it, or a folder in its place for ExrLayout::files.
-/// Throws BadInput for what OpenEXR cannot hold, FileError.
+/// A pixel needs all its channels at once, and a header needs what is known at the end. So samples wait in a
+/// scratch file beside `file`, and `finish` writes the table over `file`, or a folder in its place for
+/// ExrLayout::files. Throws BadInput for what OpenEXR cannot hold, and FileError.
 std::unique_ptr<TableWriter> create_exr_writer(const std::filesystem::path& file, const TableContent& content,
                                                const ExrOptions& options);
 

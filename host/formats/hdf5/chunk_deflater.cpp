@@ -14,8 +14,8 @@
 namespace brdftab {
 namespace {
 
-// The first bytes of all numbers, then the second ones ...: HDF5's shuffle filter, on a little-endian
-// machine.
+// Writes the first bytes of all numbers, then the second ones, and so on, as HDF5's shuffle filter does on a
+// little-endian machine.
 template <class Bits>
 void shuffle(std::span<const std::byte> numbers, std::byte* planes, std::size_t plane_bytes) {
   const std::size_t count = numbers.size() / sizeof(Bits);
@@ -78,7 +78,7 @@ void ChunkDeflater::deflate(std::span<const std::span<const std::byte>> chunks,
     }
   };
   std::vector<std::jthread> threads;
-  // A failure to write leaves the chunks that nobody has begun.
+  // After a failure to write, nobody begins another chunk.
   struct Stop {
     std::atomic<std::size_t>& next;
     std::size_t end;

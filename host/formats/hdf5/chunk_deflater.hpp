@@ -1,5 +1,4 @@
-// Chunks of samples as HDF5's shuffle and deflate filters would store them, compressed by all hardware
-// threads.
+// All hardware threads compress chunks of samples into what HDF5's shuffle and deflate filters would store.
 #pragma once
 
 #include <cstddef>
@@ -14,8 +13,8 @@ class ChunkDeflater {
  public:
   using Stream = std::span<const std::byte>;
 
-  /// `chunk_bytes` of each chunk once it is padded; `node_bytes` 4 or 8; `level` of libdeflate. Throws
-  /// std::bad_alloc.
+  /// A chunk has `chunk_bytes` once it is padded, and a node has `node_bytes`, 4 or 8; `level` is
+  /// libdeflate's. Throws std::bad_alloc.
   ChunkDeflater(std::size_t chunk_bytes, std::size_t node_bytes, int level);
   ~ChunkDeflater();
 

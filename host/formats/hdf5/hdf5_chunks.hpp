@@ -1,5 +1,5 @@
-// Chunks of a table, compressed by our own threads and written to HDF5 as they are: its filters only ever
-// read them.
+// Chunks of a table are compressed by threads of this program and written to HDF5 as they are, since HDF5's
+// own filters use one thread. Those filters only ever read them.
 #pragma once
 
 #include <hdf5.h>
@@ -24,8 +24,8 @@ class Hdf5Chunks {
   /// Sets chunks of `dimensions`, shuffle and deflate as a dataset's properties. Throws FileError.
   void set_filters(hid_t creation, const std::vector<hsize_t>& dimensions) const;
 
-  /// A slab of whole chunks; `position` gives the coordinates of a chunk's first node in the dataset. Throws
-  /// FileError.
+  /// Writes a slab of whole chunks; `position` gives the coordinates of a chunk's first node in the dataset.
+  /// Throws FileError.
   void write(hid_t dataset, const Slab& slab, std::span<const std::byte> samples, const Position& position);
 
  private:

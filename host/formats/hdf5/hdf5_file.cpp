@@ -11,14 +11,14 @@ Hdf5Handle create_file(const std::filesystem::path& path, H5F_libver_t oldest) {
   const unsigned order = H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED;
   hdf5_check(H5Pset_link_creation_order(creation, order), "link order");
   hdf5_check(H5Pset_attr_creation_order(creation, order), "attribute order");
-  // The same table is the same bytes, whenever it is made.
+  // Without times the same table is the same bytes, whenever it is made.
   hdf5_check(H5Pset_obj_track_times(creation, false), "object times");
   const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), "HDF5 file properties");
   // Since 1.8 an attribute may exceed 64 KiB, as one value for each of many wavelengths may. Views, and a
   // short form of the strided selections that they may take, came with 1.10.
   hdf5_check(H5Pset_libver_bounds(access, oldest, oldest), "HDF5 version");
-  // Made anew, not truncated: ext4 takes a truncated file for one that replaces another, and closing it for a
-  // flush.
+  // The file is made anew, not truncated: ext4 takes a truncated file for one that replaces another, and
+  // flushes it when it is closed.
   std::filesystem::remove(path);
   return Hdf5Handle(H5Fcreate(path.c_str(), H5F_ACC_EXCL, creation, access), path.string());
 }

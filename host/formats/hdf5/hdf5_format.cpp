@@ -1,5 +1,5 @@
-// HDF5 tables: root-level datasets with dimension scales and CF attributes, as h5py, xarray, ncdump, MATLAB
-// and Octave read them without a plug-in.
+// HDF5 tables are root-level datasets with dimension scales and CF attributes, as h5py, xarray, ncdump,
+// MATLAB and Octave read them without a plug-in.
 #include "host/formats/hdf5/hdf5_reader.hpp"
 #include "host/formats/hdf5/hdf5_writer.hpp"
 #include "host/formats/registry.hpp"

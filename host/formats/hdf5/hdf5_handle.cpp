@@ -9,7 +9,7 @@
 namespace brdftab {
 namespace {
 
-// The deepest entry of HDF5's error stack is where it started.
+// The deepest entry of HDF5's error stack tells where the error started.
 std::string innermost_cause() {
   std::string cause;
   H5Ewalk2(
@@ -32,20 +32,21 @@ void hdf5_check(herr_t status, std::string_view what) {
   if (status < 0) throw FileError("{}: {}", what, innermost_cause());
 }
 
-void hdf5_quiet() {
-  // HDF5 would flush open files once more at exit, and crash where that has failed before.
-  static const herr_t once = H5dont_atexit();
-  static_cast<void>(once);
+Hdf5Silence::Hdf5Silence() {
+  H5Eget_auto2(H5E_DEFAULT, &printer_, &data_);
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
+
+Hdf5Silence::~Hdf5Silence() { H5Eset_auto2(H5E_DEFAULT, printer_, data_); }
 
 Hdf5Handle::Hdf5Handle(hid_t id, std::string_view what) : id_(id) {
   if (id < 0) throw FileError("{}: {}", what, innermost_cause());
 }
 
 void Hdf5Handle::close_quietly() noexcept {
-  if (id_ >= 0) H5Idec_ref(id_);
-  id_ = H5I_INVALID_HID;
+  if (id_ < 0) return;
+  const Hdf5Silence silence;
+  H5Idec_ref(std::exchange(id_, H5I_INVALID_HID));
 }
 
 void Hdf5Handle::close(std::string_view what) {
@@ -55,7 +56,7 @@ void Hdf5Handle::close(std::string_view what) {
 }
 
 void write_attribute(hid_t object, const std::string& name, std::string_view text) {
-  // Of variable length: h5py gives such a string as str, and one of fixed length as bytes.
+  // The string has variable length, since h5py gives such a one as str, and one of fixed length as bytes.
   const Hdf5Handle type(H5Tcopy(H5T_C_S1), "string type");
   hdf5_check(H5Tset_size(type, H5T_VARIABLE), "string size");
   hdf5_check(H5Tset_cset(type, H5T_CSET_UTF8), "string encoding");

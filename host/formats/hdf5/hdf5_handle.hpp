@@ -10,7 +10,7 @@
 
 namespace brdftab {
 
-/// Owns an identifier of any kind.
+/// It owns an identifier of any kind.
 class Hdf5Handle {
  public:
   Hdf5Handle() = default;
@@ -35,16 +35,27 @@ class Hdf5Handle {
 /// Throws FileError if an HDF5 call failed; `what` says what was attempted.
 void hdf5_check(herr_t status, std::string_view what);
 
-/// Silences HDF5's own printing of its error stack, for the life of this thread.
-void hdf5_quiet();
+/// HDF5 prints its stack of errors by itself. While this object lives it does not, in the thread that made
+/// the object: each function that calls HDF5 for others holds one.
+class Hdf5Silence {
+ public:
+  Hdf5Silence();
+  Hdf5Silence(const Hdf5Silence&) = delete;
+  Hdf5Silence& operator=(const Hdf5Silence&) = delete;
+  ~Hdf5Silence();
 
-/// One variable-length UTF-8 string, of any length.
+ private:
+  H5E_auto2_t printer_ = nullptr;
+  void* data_ = nullptr;
+};
+
+/// Writes one variable-length UTF-8 string, of any length, or numbers.
 void write_attribute(hid_t object, const std::string& name, std::string_view text);
 void write_attribute(hid_t object, const std::string& name, double value);
 void write_attribute(hid_t object, const std::string& name, std::span<const double> values);
 
-/// Whether an open object has an attribute that is one string, of variable length or, as in older tables, of
-/// fixed length.
+/// Says whether an open object has an attribute that is one string, of variable length or, as in older
+/// tables, of fixed length.
 bool has_text_attribute(hid_t object, const std::string& name);
 /// Throws FileError where it has none.
 std::string read_text_attribute(hid_t object, const std::string& name);

@@ -139,6 +139,7 @@ class Hdf5Reader : public TableReader {
 
   void read(Polarization polarization, std::size_t band, const Slab& box,
             std::span<double> samples) override {
+    const Hdf5Silence silence;
     const std::string name(brdf_name(polarization));
     const Hdf5Handle dataset(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), name);
     const Hdf5Handle space(H5Dget_space(dataset), name);
@@ -165,7 +166,7 @@ class Hdf5Reader : public TableReader {
 }  // namespace
 
 std::unique_ptr<TableReader> open_hdf5_reader(const std::filesystem::path& file) {
-  hdf5_quiet();
+  const Hdf5Silence silence;
   return std::make_unique<Hdf5Reader>(file);
 }
 

@@ -31,7 +31,7 @@ void set_view(hid_t creation, const std::vector<hsize_t>& shape, const std::stri
     hdf5_check(H5Sselect_hyperslab(stored_space, H5S_SELECT_SET, stored_start.data(), stride.data(),
                                    stored_count.data(), nullptr),
                stored);
-    // "." is the file itself.
+    // The name "." stands for the file itself.
     hdf5_check(H5Pset_virtual(creation, view_space, ".", ("/" + stored).c_str(), stored_space), stored);
   }
 }

@@ -1,5 +1,5 @@
-// An HDF5 virtual dataset: a table of four angles that shows a stored one of theta_i, theta_s and phi = phi_s
-// - phi_i.
+// An HDF5 virtual dataset is a table of four angles that shows a stored one of theta_i, theta_s and
+// phi = phi_s - phi_i.
 #pragma once
 
 #include <hdf5.h>

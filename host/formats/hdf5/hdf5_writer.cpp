@@ -27,7 +27,7 @@ std::uint64_t sample_bytes(const TableContent& content) {
          bytes_of(content.precision);
 }
 
-// Nodes before a position, in the order of the dataset.
+// Counts the nodes before a position, in the order of the dataset.
 std::uint64_t first_node(hid_t dataset, const std::vector<hsize_t>& position) {
   std::vector<hsize_t> shape(position.size());
   const Hdf5Handle space(H5Dget_space(dataset), "brdf");
@@ -76,14 +76,13 @@ class Hdf5Writer : public TableWriter {
       samples_.push_back(create_samples(polarization));
       if (storage_.layout == Layout::virtual_view) create_view(polarization, grid);
     }
-    // A killed run leaves a file that opens and whose written part reads.
+    // After this, a run that is killed leaves a file that opens and whose written part can be read.
     hdf5_check(H5Fflush(file_.id(), H5F_SCOPE_LOCAL), path_.string());
   }
 
   void write(std::size_t polarization, std::size_t band, const Slab& slab,
              std::span<const std::byte> samples) override {
-    // HDF5 keeps a stack of errors for each thread, and the writer's is not that of the table's creator.
-    hdf5_quiet();
+    const Hdf5Silence silence;
     const Hdf5Handle& dataset = samples_[polarization];
     if (chunks_) {
       const auto position = [&](const Slab& chunk) {
@@ -108,6 +107,7 @@ class Hdf5Writer : public TableWriter {
   }
 
   void finish(const TableFindings& findings) override {
+    const Hdf5Silence silence;
     write_integrals(findings.integrals);
     file_.write_attributes(findings_attributes(findings));
     samples_.clear();
@@ -115,7 +115,7 @@ class Hdf5Writer : public TableWriter {
   }
 
  private:
-  // Of the samples' dimensions.
+  // Gives a node's indices, or a box's extents, in the dimensions that the samples have.
   std::vector<hsize_t> coordinates(hsize_t wavelength, hsize_t theta_i, hsize_t phi_i, hsize_t theta_s,
                                    hsize_t phi_s) const {
     std::vector<hsize_t> result{theta_i, theta_s, phi_s};
@@ -124,7 +124,7 @@ class Hdf5Writer : public TableWriter {
     return result;
   }
 
-  // One value for each theta_i, and for each wavelength where there are any.
+  // Each variable has one value for each theta_i, and for each wavelength where there are any.
   void write_integrals(const std::vector<Integrals>& bands) {
     std::vector<std::string> dimensions{"theta_i"};
     if (dimensions_.size() == 5) dimensions.insert(dimensions.begin(), "wavelength");
@@ -190,7 +190,7 @@ class Hdf5Writer : public TableWriter {
 
 std::unique_ptr<TableWriter> create_hdf5_writer(const std::filesystem::path& file,
                                                 const TableContent& content) {
-  hdf5_quiet();
+  const Hdf5Silence silence;
   return std::make_unique<Hdf5Writer>(file, content);
 }
 
