@@ -13,7 +13,7 @@ namespace {
 // A file may go to 90 degrees; the model stops short of them.
 constexpr double largest_theta = 89.9;
 constexpr double nearest_log = -3, furthest = 30;
-// A file may have samples at few of its ranges.
+// A file may have samples in small parts of its ranges, so that many draws are in vain.
 constexpr std::size_t most_tries = 100;
 
 AngleRange within_model(AngleRange range) {
@@ -54,7 +54,7 @@ class Draw {
     if (range.first == range.last) return range.first;
     return degrees(std::acos(between(cosine(range.last), cosine(range.first))));
   }
-  /// Of a range of polar angles, as a share of the hemisphere.
+  /// Gives the share of the hemisphere that a range of polar angles has.
   static double solid_angle(AngleRange range) { return cosine(range.first) - cosine(range.last); }
 
   void add_covered(Directions& directions, double theta_i, double theta_s, double phi) const {
@@ -63,14 +63,14 @@ class Draw {
     for (auto* angles : {&directions.theta_i, &directions.theta_s, &directions.phi}) angles->pop_back();
   }
 
-  /// The azimuth that has samples nearest to one.
+  /// Gives the azimuth nearest to `phi` that has samples.
   double nearest_phi(double phi) const {
     if (phi_.last - phi_.first >= 360) return phi;
     const double middle = (phi_.first + phi_.last) / 2, half = (phi_.last - phi_.first) / 2;
     return middle + std::clamp(std::remainder(phi - middle, 360), -half, half);
   }
 
-  // About the direction at theta_s = theta_i and azimuth `phi`.
+  // Adds a pair whose scattered direction lies about that at theta_s = theta_i and azimuth `phi`.
   void add_near(Directions& directions, double phi) {
     const double last = std::max(std::min(theta_i_.last, theta_s_.last), theta_i_.first);
     const double theta_i = theta({theta_i_.first, last});

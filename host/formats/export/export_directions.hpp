@@ -5,20 +5,21 @@
 
 namespace brdftab {
 
-/// By a fixed seed. Polar angles end at 89.9 degrees, short of where the model does.
+/// They are drawn with a fixed seed. Polar angles end at 89.9 degrees, short of where the model does.
 struct ExportDirections {
-  /// Uniform in the solid angle of both directions.
+  /// These are uniform in the solid angle of both directions.
   Directions uniform;
-  /// Within 0.001 to 30 degrees of the mirror direction, and of the retro-reflected one, uniform in the
-  /// distance's logarithm and moved to where the file has samples. Few or none where it has none so near.
+  /// These lie within 0.001 to 30 degrees of the mirror direction, and of the retro-reflected one. They are
+  /// uniform in the distance's logarithm and moved to where the file has samples; where it has none so near,
+  /// there are few or none.
   Directions near_mirror, near_retro;
-  /// Ranges they are drawn from, degrees; and their share of all pairs of directions above the surface, by
-  /// solid angle.
+  /// The ranges that they are drawn from, degrees, and the ranges' share of all pairs of directions above the
+  /// surface, by solid angle.
   AngleRange theta_i, theta_s, phi;
   double share = 0;
 };
 
-/// `count` of them uniform, and as many about both peaks together.
+/// Draws `count` uniform ones, and as many about both peaks together.
 ExportDirections export_directions(const ExportReader& table, std::size_t count);
 
 }  // namespace brdftab

@@ -49,7 +49,7 @@ ConsumerError compare(const std::vector<const ReadValues*>& kinds) {
   return result;
 }
 
-// Median and maximum of what `of` gives for two values of f.
+// Gives the median and the maximum of what `of` makes of two values of f.
 template <class Of>
 std::pair<double, double> spread(const Channels& a, const Channels& b, Of of) {
   std::vector<double> values;

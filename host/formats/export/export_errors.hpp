@@ -11,13 +11,13 @@
 
 namespace brdftab {
 
-/// f as a table's consumer reads it and f of the model, [channel][direction], at the same directions.
+/// At the same directions, f as a file's consumer reads it and f of the model, both [channel][direction].
 struct ReadValues {
   Directions directions;
   std::vector<std::vector<double>> read, model;
 };
 
-/// The same at each kind of direction.
+/// The values at each kind of direction.
 struct ReadExport {
   ReadValues uniform, near_mirror, near_retro;
 };
@@ -26,13 +26,13 @@ struct ReadExport {
 ReadExport read_export(const ExportReader& table, const ExportModel& source,
                        const ExportDirections& directions);
 
-/// |f_consumer - f| / max(f, error_floor) over directions and channels.
+/// How |f_consumer - f| / max(f, error_floor) is distributed over directions and channels.
 struct ConsumerError {
   std::size_t values = 0;
   double median = 0;
   double percentile_95 = 0;
   double maximum = 0;
-  // Of the maximum: degrees, 1/sr.
+  // Where the maximum lies, in degrees, and both values of f there, in 1/sr.
   double theta_i = 0, theta_s = 0, phi = 0;
   std::size_t channel = 0;
   double consumer = 0;
@@ -40,11 +40,11 @@ struct ConsumerError {
 };
 
 struct ExportErrors {
-  /// At pairs of directions uniform in solid angle, up to the file's largest angles.
+  /// These are at pairs of directions uniform in solid angle, up to the file's largest angles.
   ConsumerError uniform;
-  /// Within 0.001 to 30 degrees of the mirror direction and of the retro-reflected one.
+  /// These are within 0.001 to 30 degrees of the mirror direction and of the retro-reflected one.
   ConsumerError near_peaks;
-  /// Of the model, at the uniform directions.
+  /// What the model has at the uniform directions, and a format may be unable to hold.
   double reciprocity_median = 0, reciprocity_maximum = 0;  // |ln f(i, s)/f(s, i)|, each at least error_floor
   double polarization_median = 0, polarization_maximum = 0;  // |f_s - f_p| / (f_s + f_p)
 };
@@ -54,7 +54,7 @@ ExportErrors export_errors(const ReadExport& read, const ExportModel& source);
 /// As many uniform directions as this are drawn, and as many about the peaks, where the user does not say.
 inline constexpr std::size_t default_directions = 10'000;
 
-/// The same in one line, with what the format loses.
+/// Says the errors in one line, with what the format loses.
 std::string summary(const ExportErrors& errors, const ExportFormat& format, const ExportReader& table);
 
 }  // namespace brdftab

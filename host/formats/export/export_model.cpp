@@ -12,9 +12,9 @@
 namespace brdftab {
 namespace {
 
-// Up to here N is integrated at every polar angle; beyond, a curve through as many costs less.
+// Up to so many polar angles N is integrated at each; for more of them a curve through as many costs less.
 constexpr std::size_t most_integrals = 600;
-// To which N's curve reaches at least.
+// N's curve reaches at least to this polar angle, degrees.
 constexpr double largest_theta = 89.9999;
 
 double polarized(const PolarizedBrdf& f, Polarization polarization) {

@@ -1,4 +1,4 @@
-// What a writer of a simulator's format is given: a material and its f at whatever directions the format's
+// A writer of a simulator's format is given this: a material, and its f at whatever directions the format's
 // grid has.
 #pragma once
 
@@ -15,14 +15,14 @@
 
 namespace brdftab {
 
-/// What the user chooses for all such formats alike.
+/// What the user chooses for all simulators' formats alike.
 struct ExportChoice {
   Grid grid;  // for formats whose axes are free
   Illuminant illuminant = Illuminant::d65;
   std::string history;  // time and command line
 };
 
-/// Borrows the engine.
+/// It borrows the engine.
 class ExportModel {
  public:
   ExportModel(const Engine& engine, Material material, ExportChoice choice);
@@ -33,20 +33,21 @@ class ExportModel {
   const std::string& history() const { return choice_.history; }
 
   std::size_t bands() const { return material_.bands().size(); }
-  /// Of the bands; empty where the material has none.
+  /// The wavelengths of the bands; empty where the material has none.
   std::vector<double> wavelengths_nm() const;
 
-  /// f in 1/sr, [band][direction], to a relative error of 1e-11 (float32 arithmetic: 1e-5). Directions are
-  /// the model's; surface_vector.hpp has them from vectors. Throws BadInput, which names the direction, where
-  /// f is not finite.
+  /// Gives f in 1/sr, [band][direction], to a relative error of 1e-11 (float32 arithmetic: 1e-5). Directions
+  /// are the model's; model/surface_vector.hpp makes them of vectors. Throws BadInput, which names the
+  /// direction, where f is not finite.
   std::vector<std::vector<double>> evaluate(const Directions& directions,
                                             Polarization polarization = Polarization::unpolarized) const;
 
-  /// Directional-hemispherical reflectance, [band][theta_i]; degrees.
+  /// Gives the directional-hemispherical reflectance, [band][theta_i]; theta_i is in degrees.
   std::vector<std::vector<double>> dhr(std::span<const double> theta_i,
                                        Polarization polarization = Polarization::unpolarized) const;
 
-  /// [3][sample] from [band][sample]: X, Y, Z, or linear sRGB, under the illuminant; see colorimetry.hpp.
+  /// Makes [3][sample] of [band][sample]: X, Y, Z, or linear sRGB, under the illuminant, as
+  /// model/colorimetry.hpp has them.
   std::vector<std::vector<double>> xyz(const std::vector<std::vector<double>>& by_band) const;
   std::vector<std::vector<double>> rgb(const std::vector<std::vector<double>>& by_band) const;
 

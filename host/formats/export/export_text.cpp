@@ -31,7 +31,7 @@ std::vector<std::string> description_lines(const ExportModel& source, ExportChan
     lines.push_back(fmt::format("{} {}", illuminant_mark, name_of(source.illuminant())));
   if (const auto wavelengths = source.wavelengths_nm(); !wavelengths.empty()) {
     std::string line(wavelengths_mark);
-    for (const double wavelength : wavelengths) line += " " + shortest(wavelength);
+    for (const double wavelength : wavelengths) line += fmt::format(" {}", shortest(wavelength));
     lines.push_back(line);
   }
   lines.emplace_back("material file:");

@@ -9,17 +9,18 @@
 
 namespace brdftab {
 
-/// Lines without the mark of a comment: what the values are, program, paper, time and command line, the
-/// channels, and the material's text, each of its lines after "| ".
+/// Gives lines without the mark of a comment. They say what the values are, name the program, the paper, the
+/// time and the command line, describe the channels, and hold the material's text, each of its lines after
+/// "| ".
 std::vector<std::string> description_lines(const ExportModel& source, ExportChannels channels);
 
-/// The same read back, line by line; lines of others are ignored.
+/// What such lines say when they are read back, one by one. Lines of other programs are ignored.
 struct Description {
   std::string material_text;
   std::vector<double> wavelengths_nm;
   Illuminant illuminant = Illuminant::d65;
 
-  /// `line` without the mark of a comment.
+  /// Takes a line without the mark of a comment.
   void read(std::string_view line);
 };
 

@@ -1,4 +1,4 @@
-// The values that a simulator's file holds, against those that it should hold.
+// The values that a simulator's file holds are compared with those that it should hold.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace brdftab {
 
-/// Below this, 1/sr, errors are no longer relative to f: a surface so dark reflects 3e-4.
+/// Below this value of f, in 1/sr, errors are no longer relative to it: a surface so dark reflects 3e-4.
 inline constexpr double error_floor = 1e-4;
 
 /// Counts the values that are off by more than `tolerance` of max(right, error_floor), and keeps the worst.
@@ -17,10 +17,11 @@ class ValueErrors {
  public:
   explicit ValueErrors(double tolerance) : tolerance_(tolerance) {}
 
-  /// What the file's digits leave of a value, a share of it; so much is no error.
+  /// Sets the share of a value that the file's digits leave open; so much is no error.
   void set_rounding(double share) { rounding_ = share; }
 
-  /// f in 1/sr, or what stands for it; `place` gives the value's name and angles, in words.
+  /// Compares two values of f in 1/sr, or of what stands for it; `place` gives the value's name and angles,
+  /// in words.
   template <class Place>
   void compare(double held, double right, const Place& place) {
     ++values_;
@@ -38,7 +39,8 @@ class ValueErrors {
   std::size_t values() const { return values_; }
   std::size_t wrong() const { return wrong_; }
   double rounding() const { return rounding_; }
-  /// |held - right| / max(right, error_floor) of the worst, without what the digits leave; and that value.
+  /// |held - right| / max(right, error_floor) of the worst value, without what the digits leave open; and
+  /// that value itself.
   double maximum() const { return std::max(maximum_, 0.); }
   double held() const { return held_; }
   double right() const { return right_; }

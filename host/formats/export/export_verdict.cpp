@@ -19,7 +19,8 @@ using Channels = std::vector<std::vector<double>>;
 constexpr std::array<double, 5> theta_bounds{0, 30, 60, 80, 90};
 constexpr std::size_t at_median = 0, at_percentile_95 = 1, at_mean = 2;
 
-// Where polar angles of directions lie; empty where the name says all.
+// The directions of one region, named by where their polar angles lie; `rebuilt` has the values that the
+// rebuilt file gives there.
 struct Region {
   std::string name;
   const ReadValues* values;

@@ -14,14 +14,14 @@
 
 namespace brdftab {
 
-/// The share of f by which a file may be off beyond what its format reaches at its resolution: in the median,
-/// at 95 % of directions and in the mean of each region, and in each value.
+/// A file may be off by this share of f beyond what its format reaches at its resolution: in the median, at
+/// 95 % of directions and in the mean of each region, and in each value.
 ///
 /// Formats hold seven digits or more, or as many as the file shows, and f is computed to 1e-11 of it, in
 /// float32 arithmetic to 1e-5: what is right stays within a hundredth of this.
 inline constexpr double default_export_tolerance = 1e-3;
 
-/// What is judged in a region, in the order of RegionErrors::statistics.
+/// The names of what is judged in a region, in the order of RegionErrors::statistics.
 inline constexpr std::array<std::string_view, 3> statistic_names{"median", "95 %", "mean"};
 
 /// Median and 95th percentile are of |f read - f| / max(f, error_floor). The mean is signed: the sum of f
@@ -40,20 +40,20 @@ struct RegionErrors {
   std::size_t directions = 0;
   std::array<RegionStatistic, 3> statistics;
 
-  /// The index of the statistic with the largest excess.
+  /// Gives the index of the statistic with the largest excess.
   std::size_t worst() const;
 };
 
 struct ExportVerdict {
   double tolerance;
-  /// Every region that has directions, for every channel; the whole range first.
+  /// Every region that has directions is here, for every channel; the whole range comes first.
   std::vector<RegionErrors> regions;
   ValueErrors values;
 
   bool good() const;
-  /// The region, statistic or value that is off most; empty where the file is good.
+  /// Names the region, statistic or value that is off most; empty where the file is good.
   std::string fault() const;
-  /// Of the regions of each name, the channel whose worst statistic is off most.
+  /// Gives one region of each name: the channel whose worst statistic is off most.
   std::vector<RegionErrors> worst_channels() const;
 };
 

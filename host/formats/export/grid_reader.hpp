@@ -12,7 +12,8 @@ namespace brdftab {
 
 class GridReader : public ExportReader {
  public:
-  /// At least one set of samples, of one channel or several; the channels are those of all, in order.
+  /// `samples` has at least one set, of one channel or several; the reader's channels are those of all sets,
+  /// in order.
   GridReader(std::vector<GridSamples> samples, std::vector<double> wavelengths_nm, std::string material_text,
              std::string interpolation = "linear interpolation between nodes")
       : samples_(std::move(samples)),
@@ -20,11 +21,12 @@ class GridReader : public ExportReader {
         material_text_(std::move(material_text)),
         interpolation_(std::move(interpolation)) {}
 
-  /// The same bands by one polarisation, which the file holds beside; its consumer may take them as well.
+  /// Adds the same bands by one polarisation, which the file holds beside; its consumer may take them as
+  /// well.
   void add_polarization(Polarization polarization, std::vector<GridSamples> samples) {
     polarized_.emplace_back(polarization, std::move(samples));
   }
-  /// Significant digits of the file's values, where they may be few.
+  /// Says how many significant digits the file's values have, where they may be few.
   void set_digits(int digits) { digits_ = digits; }
 
   std::vector<std::vector<double>> evaluate(const Directions& directions) const override;

@@ -5,12 +5,13 @@
 #include <set>
 
 #include "host/base/error.hpp"
+#include "host/model/grid_index.hpp"
 #include "host/model/surface_vector.hpp"
 
 namespace brdftab {
 namespace {
 
-// Two nodes and the share of the second.
+// A coordinate lies between two nodes, at a share of the way to the second.
 struct Place {
   std::size_t low, high;
   double share;
@@ -24,8 +25,8 @@ Place place_in(const std::vector<double>& axis, double x) {
   return {high - 1, high, (x - axis[high - 1]) / (axis[high] - axis[high - 1])};
 }
 
-// phi_s, wrapped into a turn from the first node on; across the gap, if there is one, from the last node to
-// the first.
+// The azimuth phi_s is wrapped into a turn from the first node on. If there is a gap after the last node, the
+// place lies across it, between the last node and the first.
 Place azimuth_place(const std::vector<double>& axis, double phi_i, double phi) {
   const auto wrapped = [&](double x) { return x - 360 * std::floor((x - axis.front()) / 360); };
   double x = wrapped(phi_i + phi);
@@ -67,7 +68,7 @@ GridSamples::GridSamples(Axes axes, std::vector<std::vector<double>> values, con
   for (const AxisRow& row : axis_table) {
     const auto& axis = axes_[static_cast<std::size_t>(row.kind)];
     nodes *= axis.size();
-    // Written so that a nan is refused too.
+    // The comparison is written so that it refuses a nan, too.
     const bool increases = std::adjacent_find(axis.begin(), axis.end(),
                                               [](double a, double b) { return !(a < b); }) == axis.end();
     if (axis.empty() || !std::isfinite(axis.front()) || !std::isfinite(axis.back()) || !increases)
@@ -109,23 +110,24 @@ GridSamples GridSamples::from_rows(const std::vector<std::vector<double>>& colum
                                    const std::string& source) {
   const std::size_t rows = columns.front().size();
   Axes axes;
-  std::size_t nodes = 1;
-  for (std::size_t k = 0; k < 4; ++k) {
+  for (std::size_t k = 0; k < axes.size(); ++k) {
     axes[k] = columns[k];
     std::sort(axes[k].begin(), axes[k].end());
     axes[k].erase(std::unique(axes[k].begin(), axes[k].end()), axes[k].end());
-    nodes *= axes[k].size();
   }
-  if (rows == 0 || nodes != rows)
+  const GridIndex order({axes[0].size(), axes[1].size(), axes[2].size(), axes[3].size()});
+  if (rows == 0 || order.size() != rows)
     throw BadInput("{}: has {} rows, which are not every node of a grid of {} x {} x {} x {} angles once",
                    source, rows, axes[0].size(), axes[1].size(), axes[2].size(), axes[3].size());
   std::vector<std::vector<double>> values(columns.size() - 4, std::vector<double>(rows, NAN));
   for (std::size_t row = 0; row < rows; ++row) {
-    std::size_t node = 0;
-    for (std::size_t k = 0; k < 4; ++k)
-      node = node * axes[k].size() +
-             static_cast<std::size_t>(std::lower_bound(axes[k].begin(), axes[k].end(), columns[k][row]) -
-                                      axes[k].begin());
+    GridNode at{};
+    for (const AxisRow& axis : axis_table) {
+      const auto k = static_cast<std::size_t>(axis.kind);
+      const auto place = std::lower_bound(axes[k].begin(), axes[k].end(), columns[k][row]);
+      at[axis.kind] = static_cast<std::size_t>(place - axes[k].begin());
+    }
+    const std::size_t node = order.flat(at);
     if (!std::isnan(values[0][node]))
       throw BadInput("{}: has the directions theta_i = {}, phi_i = {}, theta_s = {}, phi_s = {} twice",
                      source, columns[0][row], columns[1][row], columns[2][row], columns[3][row]);

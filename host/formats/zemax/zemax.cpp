@@ -1,5 +1,5 @@
-// Zemax OpticStudio's tabular BSDF: scatter angles about the specular direction, with the reflectance at each
-// incidence.
+// Zemax OpticStudio's tabular BSDF has scatter angles about the specular direction, and the reflectance at
+// each incidence.
 #include <algorithm>
 #include <fstream>
 #include <iterator>
@@ -17,9 +17,9 @@
 namespace brdftab {
 namespace {
 
-constexpr std::string_view first_line = "# Zemax tabular BSDF";
+constexpr std::string_view title = "Zemax tabular BSDF";
 
-// Closer near the specular direction.
+// Radial angles, degrees, lie closer near the specular direction.
 std::vector<double> default_radials() {
   std::vector<double> radials{0};
   const auto up_to = [&](double last, double steps_per_degree) {
@@ -34,7 +34,8 @@ std::vector<double> default_radials() {
   return radials;
 }
 
-// Its axes lie in GridSamples as theta_i, phi_i (sample rotation), theta_s (radial) and phi_s (azimuth).
+// The file's axes lie in GridSamples as theta_i, phi_i (sample rotation), theta_s (radial) and phi_s
+// (azimuth).
 class ZemaxReader : public ExportReader {
  public:
   ZemaxReader(ZemaxFile file, Description description, GridSamples samples)
@@ -139,80 +140,18 @@ class ZemaxFormat : public ExportFormat {
 
   std::vector<std::string> write(const std::filesystem::path& file,
                                  const ExportModel& source) const override {
-    const auto incidence = nodes("zemax_incidence", incidence_, AxisKind::theta_i);
-    const auto azimuth = nodes("zemax_azimuth", azimuth_, AxisKind::phi_s);
-    const auto radial = radial_.empty() ? default_radials() : nodes("zemax_radial", radial_, AxisKind::phi_s);
-    if (azimuth.front() != 0 || azimuth.back() != 180)
-      throw BadInput(GivenValue{"zemax_azimuth", excerpt(azimuth_)},
-                     "must begin with 0 and end with 180, the plane of symmetry");
-    if (radial.front() != 0 || radial.back() > 180)
-      throw BadInput(GivenValue{"zemax_radial", excerpt(radial_)},
-                     "must begin with 0 and end at 180 at most");
-
-    Directions directions;
-    std::vector<bool> above;  // the horizon
-    for (const double theta_i : incidence)
-      for (const double psi : azimuth)
-        for (const double r : radial) {
-          const SurfaceVector viewer = about_specular(theta_i, r, psi);
-          above.push_back(ZemaxReader::is_above(viewer));
-          if (above.back()) directions.add(theta_i, viewer.theta(), viewer.phi());
-        }
-    const bool is_colour = source.bands() > 1;
-    auto f = source.evaluate(directions);
-    auto reflectance = source.dhr(incidence);
-    if (is_colour) {
-      f = source.xyz(f);
-      reflectance = source.xyz(reflectance);
-    }
-
-    fmt::memory_buffer text;
-    const auto out = std::back_inserter(text);
-    fmt::format_to(out, "{}\n", first_line);
-    for (const auto& line :
-         description_lines(source, is_colour ? ExportChannels::xyz : ExportChannels::bands))
-      fmt::format_to(out, "# {}\n", line);
-    fmt::format_to(out,
-                   "Source\tMeasured\nSymmetry\tPlaneSymmetrical\nSpectralContent\t{}\nScatterType\tBRDF\n",
-                   is_colour ? "XYZ" : "Monochrome");
-    const auto list = [&](const char* name, const std::vector<double>& values) {
-      fmt::format_to(out, "{}\t{}\n{}\n", name, values.size(), fmt::join(values, "\t"));
-    };
-    list("SampleRotation", {0});
-    list("AngleOfIncidence", incidence);
-    list("ScatterAzimuth", azimuth);
-    list("ScatterRadial", radial);
-    fmt::format_to(out, "\n");
-    for (std::size_t c = 0; c < f.size(); ++c) {
-      fmt::format_to(out, "{}\nDataBegin\n",
-                     is_colour ? fmt::format("Tristimulus{}", "XYZ"[c]) : "Monochrome");
-      auto value = f[c].begin();
-      std::size_t node = 0;
-      for (std::size_t i = 0; i < incidence.size(); ++i) {
-        fmt::format_to(out, "TIS\t{:.9g}\n", reflectance[c][i]);
-        for (std::size_t row = 0; row < azimuth.size(); ++row)
-          for (std::size_t k = 0; k < radial.size(); ++k)
-            fmt::format_to(out, "{:.7g}{}", above[node++] ? *value++ : 0,
-                           k + 1 < radial.size() ? '\t' : '\n');
-      }
-      fmt::format_to(out, "DataEnd\n");
-    }
-    write_whole(file, {text.data(), text.size()});
-
-    std::size_t above_one = 0;
-    double largest = 0;
-    for (const auto& channel : reflectance)
-      for (const double r : channel) {
-        above_one += r > 1;
-        largest = std::max(largest, r);
-      }
-    if (above_one == 0) return {};
-    return {fmt::format("TIS, the model's DHR, is above 1 at {} of {} incidences, {:.3g} at most", above_one,
-                        reflectance.size() * incidence.size(), largest)};
+    ZemaxFile zemax = axes();
+    fill(zemax, source);
+    zemax.comments.emplace_back(title);
+    for (auto& line :
+         description_lines(source, zemax.blocks.size() == 3 ? ExportChannels::xyz : ExportChannels::bands))
+      zemax.comments.push_back(std::move(line));
+    write_whole(file, zemax.text());
+    return notes_of(zemax);
   }
 
   bool recognises(const std::filesystem::path&, std::string_view beginning) const override {
-    if (beginning.starts_with(first_line)) return true;
+    if (beginning.starts_with(fmt::format("# {}", title))) return true;
     while (beginning.starts_with('#'))
       beginning.remove_prefix(std::min(beginning.find('\n'), beginning.size() - 1) + 1);
     return beginning.starts_with("Source") && beginning.find("SampleRotation") != beginning.npos;
@@ -237,7 +176,7 @@ class ZemaxFormat : public ExportFormat {
                      file.rotation.size());
     Description description;
     for (const auto& line : file.comments) description.read(line);
-    // [incidence][azimuth][radial] to [incidence][rotation][radial][azimuth].
+    // The order [incidence][azimuth][radial] becomes [incidence][rotation][radial][azimuth].
     std::vector<std::vector<double>> values;
     const std::size_t azimuths = file.azimuth.size(), radials = file.radial.size();
     for (const ZemaxBlock& block : file.blocks) {
@@ -253,6 +192,22 @@ class ZemaxFormat : public ExportFormat {
   }
 
  private:
+  ZemaxFile axes() const {
+    ZemaxFile file;
+    file.symmetry = "PlaneSymmetrical";
+    file.rotation = {0};
+    file.incidence = nodes("zemax_incidence", incidence_, AxisKind::theta_i);
+    file.azimuth = nodes("zemax_azimuth", azimuth_, AxisKind::phi_s);
+    file.radial = radial_.empty() ? default_radials() : nodes("zemax_radial", radial_, AxisKind::phi_s);
+    if (file.azimuth.front() != 0 || file.azimuth.back() != 180)
+      throw BadInput(GivenValue{"zemax_azimuth", excerpt(azimuth_)},
+                     "must begin with 0 and end with 180, the plane of symmetry");
+    if (file.radial.front() != 0 || file.radial.back() > 180)
+      throw BadInput(GivenValue{"zemax_radial", excerpt(radial_)},
+                     "must begin with 0 and end at 180 at most");
+    return file;
+  }
+
   static std::vector<double> nodes(const char* option, const std::string& text, AxisKind kind) {
     try {
       const Axis axis = Axis::parse(kind, text);
@@ -260,6 +215,46 @@ class ZemaxFormat : public ExportFormat {
     } catch (const BadInput& error) {
       throw BadInput(GivenValue{option, excerpt(text)}, "{}", error.what());
     }
+  }
+
+  // Directions below the horizon hold 0.
+  static void fill(ZemaxFile& file, const ExportModel& source) {
+    Directions directions;
+    std::vector<bool> is_above;
+    for (const double theta_i : file.incidence)
+      for (const double psi : file.azimuth)
+        for (const double r : file.radial) {
+          const SurfaceVector viewer = about_specular(theta_i, r, psi);
+          is_above.push_back(ZemaxReader::is_above(viewer));
+          if (is_above.back()) directions.add(theta_i, viewer.theta(), viewer.phi());
+        }
+    auto f = source.evaluate(directions);
+    auto reflectance = source.dhr(file.incidence);
+    if (source.bands() > 1) {
+      f = source.xyz(f);
+      reflectance = source.xyz(reflectance);
+    }
+    for (std::size_t c = 0; c < f.size(); ++c) {
+      ZemaxBlock& block = file.blocks.emplace_back();
+      block.content = f.size() == 1 ? "Monochrome" : fmt::format("Tristimulus{}", "XYZ"[c]);
+      block.tis = reflectance[c];
+      auto value = f[c].begin();
+      for (const bool above : is_above) block.values.push_back(above ? *value++ : 0);
+    }
+  }
+
+  static std::vector<std::string> notes_of(const ZemaxFile& file) {
+    std::size_t values = 0, above_one = 0;
+    double largest = 0;
+    for (const ZemaxBlock& block : file.blocks)
+      for (const double tis : block.tis) {
+        ++values;
+        above_one += tis > 1;
+        largest = std::max(largest, tis);
+      }
+    if (above_one == 0) return {};
+    return {fmt::format("TIS, the model's DHR, is above 1 at {} of {} incidences, {:.3g} at most", above_one,
+                        values, largest)};
   }
 
   std::string incidence_ = "0:85:2.5";

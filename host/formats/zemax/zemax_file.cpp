@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <sstream>
 #include <utility>
 
@@ -12,7 +13,7 @@
 namespace brdftab {
 namespace {
 
-// Words with the line each stands in; `#` begins a comment.
+// Cuts a text into words and keeps the line that each stands in; `#` begins a comment.
 class Words {
  public:
   Words(std::istream& in, const std::string& source) : source_(source) {
@@ -105,6 +106,31 @@ ZemaxFile ZemaxFile::read(std::istream& in, const std::string& source) {
     }
   }
   return file;
+}
+
+std::string ZemaxFile::text() const {
+  fmt::memory_buffer text;
+  const auto out = std::back_inserter(text);
+  for (const auto& line : comments) fmt::format_to(out, "# {}\n", line);
+  fmt::format_to(out, "Source\tMeasured\nSymmetry\t{}\nSpectralContent\t{}\nScatterType\tBRDF\n", symmetry,
+                 blocks.size() == 3 ? "XYZ" : "Monochrome");
+  for (const auto& [name, values] : {std::pair{"SampleRotation", &rotation},
+                                     {"AngleOfIncidence", &incidence},
+                                     {"ScatterAzimuth", &azimuth},
+                                     {"ScatterRadial", &radial}})
+    fmt::format_to(out, "{}\t{}\n{}\n", name, values->size(), fmt::join(*values, "\t"));
+  fmt::format_to(out, "\n");
+  for (const ZemaxBlock& block : blocks) {
+    fmt::format_to(out, "{}\nDataBegin\n", block.content);
+    auto row = block.values.begin();
+    for (const double tis : block.tis) {
+      fmt::format_to(out, "TIS\t{:.9g}\n", tis);
+      for (std::size_t a = 0; a < azimuth.size(); ++a, row += std::ssize(radial))
+        fmt::format_to(out, "{:.7g}\n", fmt::join(row, row + std::ssize(radial), "\t"));
+    }
+    fmt::format_to(out, "DataEnd\n");
+  }
+  return fmt::to_string(text);
 }
 
 }  // namespace brdftab

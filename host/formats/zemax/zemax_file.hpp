@@ -1,4 +1,4 @@
-// Zemax OpticStudio's tabular BSDF as text: axes in degrees about the specular direction, and blocks of
+// Zemax OpticStudio's tabular BSDF is a text of axes, in degrees about the specular direction, and blocks of
 // values.
 #pragma once
 
@@ -23,6 +23,8 @@ struct ZemaxFile {
 
   /// Throws BadInput SOURCE:LINE where it is no such file, or one of transmission.
   static ZemaxFile read(std::istream& in, const std::string& source);
+  /// Gives the file's text.
+  std::string text() const;
 };
 
 }  // namespace brdftab
