@@ -1,4 +1,4 @@
-// File formats: one object each, made in a source file of its own, a row of the registry.
+// A file format is one object, made in a source file of its own, and a row of the registry.
 #pragma once
 
 #include <filesystem>
@@ -21,13 +21,13 @@ class TableWriter;
 struct TableContent;
 
 struct FormatTraits {
-  /// As users name it.
+  /// Users call it so.
   std::string_view name;
-  /// Who reads it, for help.
+  /// Says who reads it, for help.
   std::string_view consumer = {};
-  /// Names of files that are this format's alone, and so tell it where one is written.
+  /// File names with these endings are this format's alone, and so tell it where a file is written.
   std::vector<std::string_view> extensions = {};
-  /// Of a file in a folder, after the material's name: "_zemax.bsdf".
+  /// In a folder this follows the material's name: "_zemax.bsdf".
   std::string_view suffix = {};
   /// Its nodes are those of the axes that the user gives; otherwise it has a grid of its own.
   bool takes_axes = false;
@@ -36,7 +36,7 @@ struct FormatTraits {
   bool holds_polarization = false;
   /// It tells f(i, s) from f(s, i).
   bool holds_non_reciprocal = true;
-  /// Set where its files are read as measurements.
+  /// It is set where the format's files are read as measurements.
   std::optional<MeasurementReader> measurement = {};
 };
 
@@ -53,13 +53,13 @@ class Format {
   /// The format's own settings. They point into this object.
   virtual std::vector<FormatOption> options() { return {}; }
 
-  /// Whether a file that begins so (4096 bytes or all of it; nothing of a folder) is of this format.
+  /// Says whether a file that begins so (4096 bytes or all of it; nothing of a folder) is of this format.
   virtual bool recognises(const std::filesystem::path& file, std::string_view beginning) const {
     static_cast<void>(file), static_cast<void>(beginning);
     return false;
   }
 
-  /// What writes and reads the format; null where it is of another kind, or a measurement's alone.
+  /// Give what writes and reads the format; null where it is of the other kind, or a measurement's alone.
   virtual const DenseFormat* as_dense() const { return nullptr; }
   virtual const ExportFormat* as_export() const { return nullptr; }
 
@@ -73,15 +73,16 @@ class DenseFormat : public Format {
   using Format::Format;
   const DenseFormat* as_dense() const final { return this; }
 
-  /// How the samples lie in a file, as far as the options of the format say it.
+  /// Says how the samples lie in a file, as far as the options of the format tell.
   virtual TableStorage storage() const { return {}; }
-  /// Whether the writer puts a folder in the place of the file.
+  /// Says whether the writer puts a folder in the place of the file.
   virtual bool writes_folder() const { return false; }
 
   /// Creates the file over an existing empty one. Throws BadInput for what the format cannot hold, FileError.
   virtual std::unique_ptr<TableWriter> create(const std::filesystem::path& file,
                                               const TableContent& content) const = 0;
-  /// Throws FileError where the file cannot be read, and BadInput where it is no table of this program.
+  /// Opens a table. Throws FileError where the file cannot be read, and BadInput where it is no table of this
+  /// program.
   virtual std::unique_ptr<TableReader> open(const std::filesystem::path& file) const = 0;
 };
 
@@ -97,8 +98,8 @@ class ExportFormat : public Format {
   virtual std::vector<std::string> write(const std::filesystem::path& file,
                                          const ExportModel& source) const = 0;
 
-  /// Throws FileError where it cannot be read, and BadInput with FILE:LINE or the field where it is not of
-  /// this format.
+  /// Reads a file. Throws FileError where it cannot be read, and BadInput with FILE:LINE or the field where
+  /// it is not of this format.
   virtual std::unique_ptr<ExportReader> read(const std::filesystem::path& file) const = 0;
 };
 

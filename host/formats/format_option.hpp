@@ -1,4 +1,4 @@
-// A setting of a file format, as a row from which each user of the library makes what its own users know.
+// A setting of a file format is a row, of which each user of the library makes what its own users know.
 #pragma once
 
 #include <cstddef>
@@ -23,14 +23,14 @@ struct FormatOption {
   std::variant<std::string*, int*, std::size_t*, double*, std::optional<double>*> value;
   /// The words that are allowed; empty: any text, or a number.
   std::vector<std::string_view> words = {};
-  /// Of a number.
+  /// A number lies in it.
   std::optional<Range> range = {};
-  /// What a text looks like, for help: "deflate[:LEVEL]".
+  /// Shows what a text looks like, for help: "deflate[:LEVEL]".
   std::string_view shape = {};
   /// A reader of the format takes it as well, since its files do not say it.
   bool is_for_reading = false;
 
-  /// Throws BadInput, which names the setting and what it allows.
+  /// Sets the value. Throws BadInput, which names the setting and what it allows.
   void set(std::string_view text) const;
 };
 

@@ -1,4 +1,4 @@
-// How a file format is read as a measured BRDF.
+// A file format that is read as a measured BRDF has such a reader.
 #pragma once
 
 #include <istream>

@@ -12,8 +12,8 @@ class TableReader;
 /// where the file cannot be read or is damaged, and BadInput where it is no table of this program.
 std::unique_ptr<TableReader> open_table(const std::filesystem::path& file);
 
-/// Whether a file is to be opened as a table: a folder, what is named as a table, or begins as one; "-" is
-/// not.
+/// Says whether a file is to be opened as a table: a folder, what is named as a table, or begins as one; "-"
+/// is not.
 bool is_table(const std::filesystem::path& file);
 
 }  // namespace brdftab

@@ -9,7 +9,7 @@
 
 namespace brdftab {
 
-/// Names of the formats that are read as measurements.
+/// Gives the names of the formats that are read as measurements.
 std::vector<std::string> measurement_formats();
 
 /// Reads a file ("-": standard input, CSV) and cleans what it holds. Values that are nan, and what a format

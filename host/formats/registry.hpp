@@ -13,21 +13,22 @@ namespace brdftab {
 
 using Formats = std::vector<std::unique_ptr<Format>>;
 
-/// One object of each format, with default options: dense tables first, the others in the order of names.
+/// Makes one object of each format, with default options: dense tables first, the others in the order of
+/// names.
 Formats all_formats();
 
-/// Null where there is none of that name.
+/// Finds a format by its name; null where there is none.
 const Format* find_format(const Formats& formats, std::string_view name);
 
-/// The format whose files alone are called so; null where there is none.
+/// Finds the format whose files alone are called so; null where there is none.
 const Format* format_of_extension(const Formats& formats, std::string_view extension);
 
-/// The format that recognises a file by its beginning; null where none does. Throws FileError where the file
-/// cannot be read.
+/// Finds the format that recognises a file by its beginning; null where none does. Throws FileError where the
+/// file cannot be read.
 const Format* recognised_format(const Formats& formats, const std::filesystem::path& file);
 
-/// The makers of the formats, each in the source file of its name. A format is added by a maker here and by
-/// its row in registry.cpp.
+/// These make the formats, each in the source file of its name. A format is added by a maker here and by its
+/// row in registry.cpp.
 std::unique_ptr<Format> make_alta_format();
 std::unique_ptr<Format> make_astm_format();
 std::unique_ptr<Format> make_bird_format();

@@ -1,5 +1,5 @@
-// The universal BRDF data format of EURAMET's project BiRD (16NRM08), in JSON: a list of samples, with the
-// model's parameters and their uncertainty.
+// The universal BRDF data format of EURAMET's project BiRD (16NRM08), in JSON, holds a list of samples, and
+// the model's parameters with their uncertainty.
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -26,7 +26,7 @@ constexpr std::string_view angles_text =
     "Angles are those of vectors that point away from the surface: the mirror direction is theta_r = "
     "theta_i, phi_r = phi_i + 180 degrees.";
 
-// Azimuths as the format has them, from 0 to below 360 degrees, each direction once.
+// Turns azimuths as the format has them: they go from 0 to below 360 degrees, each direction once.
 std::vector<double> turned(std::span<const double> azimuths, double by) {
   std::vector<double> result;
   for (const double azimuth : azimuths) {
@@ -50,7 +50,7 @@ void add_uncertainty(ordered_json& entry, const ParameterRow& row, const FittedP
       text_of(fitted, level));
 }
 
-// How the fit as a whole stands; empty where it does not say.
+// Says how the fit as a whole stands; empty where the material does not say.
 std::string fit_statistics(const Material& material) {
   const auto& fit = material.fit();
   if (!fit || !fit->condition) return {};
@@ -60,7 +60,7 @@ std::string fit_statistics(const Material& material) {
                                                   : "");
 }
 
-// One for each parameter, or for each band where bands differ in it.
+// The list has one entry for each parameter, or for each band where bands differ in it.
 ordered_json parameters(const Material& material) {
   std::vector<FittedParameters> fitted(material.bands().size());
   for (std::size_t b = 0; material.fit() && b < fitted.size(); ++b) fitted[b] = material.fit()->at_band(b);

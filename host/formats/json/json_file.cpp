@@ -7,7 +7,7 @@ namespace {
 
 constexpr std::size_t most_samples = 1'000'000;
 
-// Fowler, Noll and Vo's hash FNV-1a of 64 bits.
+// This is Fowler, Noll and Vo's hash FNV-1a of 64 bits.
 std::uint64_t hash_of(std::string_view text, std::uint64_t hash) {
   for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
   return hash;

@@ -17,17 +17,18 @@ namespace brdftab {
 /// expected to hold.
 void check_json_samples(std::string_view format, std::size_t samples);
 
-/// 8-4-4-4-12 hexadecimal digits, version 8 of RFC 9562: the same for the same text.
+/// Makes an identifier of version 8 of RFC 9562, 8-4-4-4-12 hexadecimal digits, which is the same for the
+/// same text.
 std::string uuid_of(std::string_view text);
 
-/// The time of the file, as 2008-08-18T12:00:00Z, that its history begins with.
+/// Gives the file's time, as 2008-08-18T12:00:00Z: the history begins with it.
 std::string timestamp(const ExportModel& source);
 
-/// As JSON writes it; text that is not UTF-8 is mended.
+/// Writes a value as JSON; text that is not UTF-8 is mended.
 std::string json_text(const nlohmann::ordered_json& value);
 
-/// `read(json)` of a file's content. Throws FileError where the file cannot be read, and BadInput `FILE: ...`
-/// where it is not JSON or `read` misses something.
+/// Gives what `read` makes of a file's content. Throws FileError where the file cannot be read, and BadInput
+/// `FILE: ...` where it is not JSON or `read` misses something.
 template <class Read>
 auto read_json(const std::filesystem::path& file, const Read& read) {
   const std::string text = read_whole(file);

@@ -1,4 +1,4 @@
-// Look-up tables of ASAM OpenMATERIAL 3D, in JSON: isotropic f of bands, in metres and radians.
+// Look-up tables of ASAM OpenMATERIAL 3D, in JSON, hold isotropic f of bands, in metres and radians.
 #include <algorithm>
 #include <cmath>
 #include <iterator>

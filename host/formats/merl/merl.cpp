@@ -1,4 +1,4 @@
-// MERL binary files: isotropic RGB over half-way and difference angles, which readers look up by cell.
+// MERL binary files hold isotropic RGB over half-way and difference angles, which readers look up by cell.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -20,8 +20,8 @@ constexpr double invalid = -1;
 // Nearer to the horizon than 1e-4 degrees a node is on it but for rounding.
 constexpr double least_cosine = 1.7453e-6;
 
-// Where cell 0 has its value: at its centre, for readers that look cells up, or at its lower corner, for
-// libbsdf.
+// Cell 0 has its value at its centre, for readers that look cells up, or at its lower corner, for libbsdf,
+// which interpolates.
 enum class Registration { center, node };
 
 double theta_h(int cell, Registration registration) {
@@ -29,8 +29,8 @@ double theta_h(int cell, Registration registration) {
   return i * i / MerlFile::cells_h;
 }
 
-// To the light and to the viewer, from the half-way vector, at azimuth 0, and the difference vector in the
-// frame about it: x' lies in its plane, away from the normal's side, y' is y.
+// Gives the vectors to the light and to the viewer from the half-way vector, at azimuth 0, and the difference
+// vector in the frame about it: x' lies in its plane, away from the normal's side, and y' is y.
 std::pair<SurfaceVector, SurfaceVector> vectors(const SurfaceVector& h, const SurfaceVector& d) {
   const SurfaceVector across{d.x * h.z, d.y, -d.x * h.x};
   return {h * d.z + across, h * d.z + across * -1};
@@ -43,8 +43,7 @@ struct MerlValues {
 
 MerlValues merl_values(const ExportModel& source, Registration registration) {
   const bool center = registration == Registration::center;
-  // Half a turn of phi_d, within which the first and the last are light and viewer exchanged, by the mirror
-  // plane.
+  // phi_d covers half a turn. By the mirror plane its first and its last are light and viewer exchanged.
   const int phis = center ? MerlFile::cells_phi : MerlFile::cells_phi + 1;
   const double offset = center ? 0.5 : 0;
   Directions directions;
@@ -75,7 +74,8 @@ MerlValues merl_values(const ExportModel& source, Registration registration) {
           double& value = result.file.values[MerlFile::index(c, h, d, phi)];
           value = invalid;
           if (here == none) continue;
-          // Readers take phi_d and phi_d + 180 for the same: the mean of both directions of light.
+          // Readers take phi_d and phi_d + 180 for the same, so a cell holds the mean of both directions of
+          // light.
           const double mean = 0.5 * (f[here] + f[exchanged]);
           result.below_zero += mean < 0;
           value = std::max(mean, 0.) / MerlFile::scale(c);
@@ -131,12 +131,12 @@ class MerlReader : public ExportReader {
         0., file_.values[MerlFile::index(channel, std::min(h, MerlFile::cells_h - 1),
                                          std::min(d, MerlFile::cells_d - 1), phi % MerlFile::cells_phi)]);
   }
-  // As the reference reader does.
+  // The value that MERL's reference reader takes.
   double cell(int channel, const HalfDifference& at) const {
     return value(channel, static_cast<int>(std::sqrt(at.theta_h * MerlFile::cells_h)),
                  static_cast<int>(at.theta_d), std::min(static_cast<int>(at.phi_d), MerlFile::cells_phi - 1));
   }
-  // As libbsdf does.
+  // The value that libbsdf interpolates.
   double between_nodes(int channel, const HalfDifference& at) const {
     const int h =
         std::min(static_cast<int>(std::sqrt(at.theta_h * MerlFile::cells_h)), MerlFile::cells_h - 1);

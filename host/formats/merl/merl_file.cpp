@@ -16,7 +16,7 @@ static_assert(std::endian::native == std::endian::little);
 using Dimensions = std::array<std::int32_t, 3>;
 constexpr Dimensions dimensions{MerlFile::cells_h, MerlFile::cells_d, MerlFile::cells_phi};
 
-// Lagrange's polynomials through four whole numbers about a position.
+// Lagrange's polynomials through the four whole numbers about a position give these shares.
 struct Stencil {
   int first;
   std::array<double, 4> share;
@@ -38,7 +38,7 @@ HalfDifference half_difference(const SurfaceVector& to_light, const SurfaceVecto
   const SurfaceVector h = (to_light + to_viewer).normalized();
   const double sine = std::hypot(h.x, h.y);
   const double c = sine > 0 ? h.x / sine : 1, s = sine > 0 ? h.y / sine : 0;
-  // The light, turned by -phi_h about the normal and then by -theta_h about y.
+  // The light is turned by -phi_h about the normal and then by -theta_h about y.
   const double x = c * to_light.x + s * to_light.y;
   const SurfaceVector d{x * h.z - to_light.z * sine, c * to_light.y - s * to_light.x,
                         x * sine + to_light.z * h.z};

@@ -12,15 +12,16 @@
 namespace brdftab {
 namespace {
 
-// MERL's own measurements are unreliable beyond.
+// MERL's own measurements are unreliable beyond this angle, degrees.
 constexpr int largest_theta = 80;
 constexpr int step_i = 10;
 constexpr int step_s_in_plane = 2;
-// Of samples over the hemisphere: few polar angles, since a fit integrates N at each, in either role.
+// Samples over the hemisphere have few polar angles, since a fit integrates N at each, in either role.
 constexpr int step_s = 5;
-// Of the samples, beside those that are uniform in solid angle.
+// These shares of the samples lie near the peaks; the others are uniform in solid angle.
 constexpr double near_mirror = 0.2, near_retro = 0.1;
-// Azimuths from a lobe's centre, degrees: as many in each factor of two.
+// Samples near a peak have azimuths from its centre within these bounds, degrees, as many in each factor of
+// two.
 constexpr double nearest = 0.5, farthest = 32;
 
 struct Direction {
@@ -34,7 +35,7 @@ std::vector<Direction> in_plane() {
   return directions;
 }
 
-// Numbers in [0, 1) that are the same with every standard library.
+// Draws numbers in [0, 1) that are the same with every standard library.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : engine_(seed) {}
@@ -57,7 +58,7 @@ std::vector<Direction> over_hemisphere(double theta_i, std::size_t count, Random
   }
   const std::size_t uniform = count - directions.size();
   for (std::size_t k = 0; k < uniform; ++k) {
-    // Stratified: each ring has its part of the samples to one.
+    // The draw is stratified: each ring has its part of the samples, to within one.
     const double place = (static_cast<double>(k) + random()) / static_cast<double>(uniform) * below.back();
     const auto ring = std::upper_bound(below.begin(), below.end(), place) - below.begin() - 1;
     directions.push_back({static_cast<double>((ring + 1) * step_s), 360 * random() - 180});
@@ -79,8 +80,8 @@ Measurement read_merl_measurement(std::istream& in, const std::string& source,
                           .mean_of_exchanges = true};
   Random random(options.merl_seed);
   const bool is_in_plane = options.merl_samples == 0;
-  // Over the hemisphere without the normal, where the azimuth of incidence, which V_m takes, is that of no
-  // cell.
+  // Over the hemisphere the normal is left out: the azimuth of incidence, which V_m takes, is that of no cell
+  // there.
   const int first = is_in_plane ? 0 : step_i;
   constexpr std::size_t incidences = largest_theta / step_i;
   std::size_t invalid = 0, taken = 0, remainder = options.merl_samples % incidences;

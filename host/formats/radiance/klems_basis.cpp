@@ -32,7 +32,7 @@ std::vector<PolarNode> polar_nodes(const KlemsBand& band, double step) {
   return nodes;
 }
 
-// From 0 to 180 degrees, spacings growing with the square of the distance from both ends.
+// The azimuths go from 0 to 180 degrees; their spacing grows with the square of the distance from both ends.
 std::vector<double> graded_azimuths() {
   std::vector<double> phi;
   for (std::size_t k = 0; k < azimuths; ++k) {
@@ -44,7 +44,7 @@ std::vector<double> graded_azimuths() {
   return phi;
 }
 
-// A function of the azimuth that is even and has a period of 360 degrees, linear between nodes; its averages
+// A function of the azimuth is even, has a period of 360 degrees, and is linear between nodes. Its averages
 // come from the second antiderivative of its deviation from the mean, which is even and periodic too.
 class EvenAzimuth {
  public:
@@ -64,7 +64,8 @@ class EvenAzimuth {
     }
   }
 
-  /// The mean over two azimuths, each uniform over a width, whose centres are `difference` apart; degrees.
+  /// Gives the mean over two azimuths, each uniform over a width, whose centres are `difference` apart;
+  /// degrees.
   double average(double difference, double width_i, double width_s) const {
     const double outer = (width_i + width_s) / 2, inner = (width_i - width_s) / 2;
     return mean_ + (second_integral(difference + outer) - second_integral(difference + inner) -
@@ -86,7 +87,7 @@ class EvenAzimuth {
   double mean_;
 };
 
-// phi_s - phi_i of two patches, in units of 360 degrees / (patches_i patches_s), from 0 to half a turn.
+// Gives phi_s - phi_i of two patches, in units of 360 degrees / (patches_i patches_s), from 0 to half a turn.
 int azimuth_difference(const KlemsBand& in, int k_i, const KlemsBand& out, int k_s) {
   const int turn = in.patches * out.patches;
   const int difference = ((k_s * in.patches - k_i * out.patches) % turn + turn) % turn;
@@ -106,7 +107,7 @@ std::vector<int> azimuth_differences(const KlemsBand& in, const KlemsBand& out) 
   return all;
 }
 
-// By difference of azimuth, [band of the material], for one band of patches each.
+// For one band of patches of incidence and one of scatter: [band of the material] by difference of azimuth.
 using PairValues = std::map<int, std::vector<double>>;
 
 PairValues averages(const ExportModel& source, const KlemsBand& in, const KlemsBand& out) {

@@ -1,4 +1,4 @@
-// "LBNL/Klems Full": the 145 patches into which Radiance, WINDOW and EnergyPlus cut a hemisphere.
+// Radiance, WINDOW and EnergyPlus cut a hemisphere into 145 patches, which they call "LBNL/Klems Full".
 #pragma once
 
 #include <array>
@@ -8,7 +8,8 @@
 
 namespace brdftab {
 
-/// Patches of equal width in azimuth between two polar angles, degrees; the first is centred at azimuth 0.
+/// A band has patches of equal width in azimuth between two polar angles, degrees; the first is centred at
+/// azimuth 0.
 struct KlemsBand {
   double centre, first, last;
   int patches;
@@ -28,19 +29,20 @@ inline constexpr std::array<KlemsBand, 9> klems_bands{{{0, 0, 5, 1},
 
 inline constexpr std::size_t klems_patches = 145;
 
-/// The index of the first patch of a band.
+/// Gives the index of the first patch of a band.
 std::size_t first_patch(std::size_t band);
 
-/// The patch of a direction, degrees. Azimuths are those of the light's travel and of scatter, so that the
-/// mirror direction of a patch has the same index.
+/// Gives the patch of a direction, degrees. Azimuths are those of the light's travel and of scatter, so that
+/// the mirror direction of a patch has the same index.
 std::size_t klems_patch(double theta, double phi);
 
-/// What f is over pairs of patches.
+/// f over a pair of patches is its average there, or its value at their centres.
 enum class PatchValue { average, centre };
 
-/// [band of the material][scatter patch][incidence patch], 1/sr. An average is weighted by the projected
-/// solid angles of both patches: of f at nodes of at most 0.5 and 1 degree in theta_s and theta_i, linear
-/// between azimuths that lie densest where lobes do. At the centre f is taken at the band's nominal angle.
+/// Gives [band of the material][scatter patch][incidence patch], 1/sr. An average is weighted by the
+/// projected solid angles of both patches. It takes f at nodes of at most 0.5 and 1 degree in theta_s and
+/// theta_i, linear between azimuths that lie densest where lobes do. At the centre f is taken at the band's
+/// nominal angle.
 std::vector<std::vector<double>> klems_matrix(const ExportModel& source, PatchValue value);
 
 }  // namespace brdftab

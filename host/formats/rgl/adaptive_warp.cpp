@@ -6,7 +6,7 @@
 namespace brdftab {
 namespace {
 
-/// The node below a coordinate of the unit square, and how far beyond it, in steps.
+/// A coordinate of the unit square lies so far beyond a node, in steps.
 struct Cell {
   Cell(double coordinate, std::size_t nodes) {
     const double steps = std::clamp(coordinate, 0.0, 1.0) * static_cast<double>(nodes - 1);
@@ -18,7 +18,7 @@ struct Cell {
   double rest;
 };
 
-/// Where, 0 to 1, the integral of a linear density from v0 to v1 reaches `area`.
+/// Says where, from 0 to 1, the integral of a linear density from v0 to v1 reaches `area`.
 double inverse_of_linear(double area, double v0, double v1) {
   const double root = std::sqrt(std::max(v0 * v0 + 2 * area * (v1 - v0), 0.0));
   const double sum = v0 + root;
@@ -27,7 +27,7 @@ double inverse_of_linear(double area, double v0, double v1) {
 
 double integral_of_linear(double x, double v0, double v1) { return x * (v0 + 0.5 * x * (v1 - v0)); }
 
-/// The last node, but one at most, whose cumulative value does not exceed `value`.
+/// Finds the last node, but one at most, whose cumulative value does not exceed `value`.
 template <class Cumulative>
 std::size_t node_below(std::size_t nodes, double value, const Cumulative& cumulative) {
   std::size_t first = 0, last = nodes - 1;

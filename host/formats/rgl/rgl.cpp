@@ -66,7 +66,7 @@ class RglReader : public ExportReader {
         const std::size_t at = i * square + k;
         errors.compare(content_.luminance[at], right.content.luminance[at],
                        [&] { return fmt::format("luminance at {}", place(i, k)); });
-        // As f where it has a part in it.
+        // A value is compared as f where f has a part in it.
         const double scale = right.scale[at] > 0 ? right.scale[at] : 1;
         for (std::size_t c = 0; c < content_.channels; ++c) {
           const std::size_t value = (i * content_.channels + c) * square + k;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// The fields of a file, each of them checked when it is taken.
+/// Takes the fields of a file, and checks each of them.
 class FieldReader {
  public:
   FieldReader(const std::filesystem::path& file, const TensorFields& fields)
@@ -102,7 +102,7 @@ RglContent RglContent::from_fields(const std::filesystem::path& file, const Tens
   if (fields.contains("wavelengths")) content.wavelengths_nm = reader.increasing("wavelengths");
   const std::uint64_t angles = content.theta_i.size();
   content.channels = content.wavelengths_nm.empty() ? 3 : content.wavelengths_nm.size();
-  // Isotropic: rows, which run along the azimuth, are equal, and one stands for all.
+  // Rows run along the azimuth. Those of an isotropic surface are equal, and one stands for all.
   for (const auto& [name, table] : {std::pair{"ndf", &content.ndf}, std::pair{"sigma", &content.sigma}})
     *table = reader.positive(name, {2, 0}).floats;
   const Tensor& vndf = reader.floats("vndf", {1, angles, 0, 0});

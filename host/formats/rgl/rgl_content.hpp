@@ -1,5 +1,5 @@
-// What an RGL file of an isotropic material holds: tables over half vectors, as Mitsuba 3, pbrt-v4 and
-// powitacq load them. Dupuy and Jakob, "An adaptive parameterization for efficient material acquisition and
+// An RGL file of an isotropic material holds tables over half vectors, as Mitsuba 3, pbrt-v4 and powitacq
+// load them. Source: Dupuy and Jakob, "An adaptive parameterization for efficient material acquisition and
 // rendering", ACM Trans. Graph. 37 (2018).
 //
 // A consumer has f cos(theta_o) = S(s) D(u_m) / (4 sigma(u_i)): u_m is the place of the half vector, its
@@ -17,17 +17,17 @@
 
 namespace brdftab {
 
-/// Where directions lie on the unit square: x = sqrt(theta / 90 degrees), y = (phi + 180 degrees) / 360
+/// Directions lie on the unit square at x = sqrt(theta / 90 degrees) and y = (phi + 180 degrees) / 360
 /// degrees.
 struct RglPlace {
-  /// Of a direction whose azimuth is seen from another one, degrees.
+  /// Gives the place of a direction whose azimuth counts from `phi_0`, degrees.
   static SquarePoint of(const SurfaceVector& direction, double phi_0);
   static SurfaceVector direction(SquarePoint place);
 
   static double of_theta(double degrees);
   static double theta(double x);
-  /// Solid angle of the square's column at x, for its width: a direction's density in x is its density in
-  /// solid angle times it.
+  /// Gives the solid angle of the square's column at x, divided by its width: a direction's density in x is
+  /// its density in solid angle times this.
   static double solid_angle(double x);
 };
 
@@ -48,7 +48,7 @@ struct RglContent {
   AdaptiveWarp vndf_warp() const { return {vndf, vndf_rows, vndf_columns}; }
   SquareTable spectra_table() const { return {spectra, samples, samples}; }
 
-  /// Fields of the names and shapes that the consumers ask for.
+  /// Gives fields of the names and shapes that the consumers ask for.
   TensorFields fields() const;
   /// Throws BadInput `FILE: field NAME: ...` where one is missing or cannot be what it is for.
   static RglContent from_fields(const std::filesystem::path& file, const TensorFields& fields);

@@ -14,23 +14,24 @@ namespace brdftab {
 namespace {
 
 constexpr double last_theta_i = 89.9;
-// f here stands for its limit at the horizon, where the model ends.
+// f at this polar angle stands for its limit at the horizon, where the model ends.
 constexpr double largest_theta = 89.99;
 constexpr std::size_t ndf_nodes = 1024, sigma_nodes = 256;
 constexpr float grey_wavelength_nm = 550;
 
-// Chosen by the error of f at random directions over the shipped materials. A share of the nodes that is even
-// over the hemisphere: at 64 x 64 x 64 nodes the 95th percentile is 6 to 20 % without it, with as many as the
-// light's own 3 to 5 %, and with twice as many hardly less. More of them above the horizon: half the error
-// for cos(theta_o) < 0.05. More about the mirror direction, as 1 / theta of the half vector, so that s grows
-// with theta there and not with its square: at 0.03 radians from it the median error falls from 0.2 to 1 % to
-// 0.1 to 0.3 %. The light's density is blurred to what the nodes of s can follow: 9 to 5 % for a
-// retro-reflecting lobe narrower than that.
+// These were chosen by the error of f at random directions over the shipped materials. A share of the nodes
+// is even over the hemisphere: at 64 x 64 x 64 nodes the 95th percentile of the error is 6 to 20 % without
+// it, 3 to 5 % with as many as the light's own, and hardly less with twice as many. More of them lie above
+// the horizon, which halves the error for cos(theta_o) < 0.05. More lie about the mirror direction, as 1 /
+// theta of the half vector, so that s grows with theta there and not with its square: at 0.03 radians from it
+// the median error falls from 0.2 to 1 % to 0.1 to 0.3 %. The light's density is blurred to what the nodes of
+// s can follow, which takes the error of a retro-reflecting lobe narrower than that from 9 to 5 %.
 constexpr double even_share = 1;
 constexpr double horizon_share = 2, horizon_height = 0.03;  // the height a cosine
 constexpr double mirror_share = 20, nearest_mirror = 0.1;   // degrees
 constexpr double blur_width = 0.8;                          // nodes of s
-// Of an average density: no cell is empty, so that every place has one s and float32 can tell them apart.
+// No cell has less than this share of the average density, so that every place has one s and float32 can tell
+// them apart.
 constexpr double smallest_density = 1e-4;
 
 double place_of(std::size_t node, std::size_t nodes) {
@@ -69,8 +70,8 @@ std::vector<float> two_rows(const std::vector<double>& row) {
   return values;
 }
 
-/// Blurs rows of values, each of them `count` values `stride` apart, by a Gaussian of `width` values; even
-/// about the first value, and about the last.
+/// Blurs rows of values, each of them `count` values `stride` apart, by a Gaussian of `width` values. The
+/// rows are taken as even about the first value, and about the last.
 std::vector<double> blurred(const std::vector<double>& values, std::size_t count, std::size_t stride,
                             double width) {
   const auto reach = std::min(static_cast<std::size_t>(std::ceil(3 * width)), count - 1);
@@ -134,7 +135,7 @@ class Designer {
     return SurfaceVector::from_degrees(degrees(content_.theta_i[i]), 0);
   }
 
-  /// For every theta_i: its pairs, then what is made of f.
+  /// Calls `pairs_of` for every theta_i, and then `use` with f at its pairs.
   void for_theta_i(const std::function<MirroredPairs(std::size_t)>& pairs_of,
                    const std::function<void(std::size_t, const MirroredPairs&, const Bands&)>& use) const {
     constexpr std::size_t at_once = 8;
@@ -157,8 +158,8 @@ class Designer {
     }
   }
 
-  /// The density of half vectors by solid angle; rows over half the azimuth, for the rest is its mirror
-  /// image.
+  /// Gives the density of half vectors by solid angle, in rows over half the azimuth: the other half is its
+  /// mirror image.
   std::vector<double> light_density(const MirroredPairs& pairs, const std::vector<double>& f) const {
     const std::size_t columns = content_.vndf_columns, rows = f.size() / columns;
     std::vector<double> lit(f.size()), light(f.size());
@@ -185,7 +186,7 @@ class Designer {
     std::vector<double> density(f.size(), smallest_density);
     for (std::size_t k = 0; k < f.size(); ++k) {
       if (lit[k] == 0) continue;
-      // As far as the horizon only: the last node above it stands for the part of its cell that lies above.
+      // The last node above the horizon stands for the part of its cell that lies above it.
       const double next = (k + 1) % columns != 0 ? pairs.light_z[k + 1] : 0;
       const double above = next < 0 ? pairs.light_z[k] / (pairs.light_z[k] - next) : 1;
       const double even = even_share * (1 + horizon_share * std::exp(-pairs.light_z[k] / horizon_height) +
@@ -231,13 +232,13 @@ class Designer {
     });
   }
 
-  /// The pair of a node of s: the azimuth's second half is the mirror image of its first.
+  /// Gives the pair of a node of s: the azimuth's second half is the mirror image of its first.
   std::size_t pair_of(std::size_t k) const {
     const std::size_t n = content_.samples;
     return std::min(k / n, n - 1 - k / n) * n + k % n;
   }
 
-  /// What is left for s to follow f cos(theta_o), beside the density of the half vector.
+  /// The density of s is what f cos(theta_o) leaves to follow beside the density of the half vector.
   void sample_luminance(std::size_t i, const MirroredPairs& pairs, const std::vector<double>& f,
                         const AdaptiveWarp& warp) {
     // Along the normal both densities are 0, and their ratio is that nearby.

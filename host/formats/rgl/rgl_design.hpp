@@ -1,4 +1,4 @@
-// The tables of an RGL file, laid out for a material: nodes lie where its reflected light goes.
+// The tables of an RGL file are laid out for a material: nodes lie where its reflected light goes.
 //
 // In a consumer's formula D and sigma may be any positive tables and `vndf` any density, since S makes up for
 // them at its nodes: they say how smooth S is between its nodes, and where these lie. Dupuy and Jakob take D
@@ -14,7 +14,7 @@
 
 namespace brdftab {
 
-/// Numbers of nodes.
+/// The numbers of nodes.
 struct RglResolution {
   std::size_t theta_i = 90;  // 0 to 89.9 degrees
   std::size_t samples = 96;  // of each side of the square of s
@@ -31,11 +31,11 @@ struct RglDesign {
       scale;  // of f in `spectra`, [theta_i][s.y][s.x]; 0 where the light is below the horizon
 };
 
-/// A material without bands is grey: three equal channels, or a wavelength that stands for all. Light below
-/// the horizon is 0.
+/// Lays the tables out. A material without bands is grey: it has three equal channels, or a wavelength that
+/// stands for all. Light below the horizon is 0.
 RglDesign design_rgl(const ExportModel& source, const RglResolution& resolution, RglChannels channels);
 
-/// A layout with `luminance` and `spectra` of the source in place of its own: its nodes lie where its own
+/// Gives a layout `luminance` and `spectra` of the source in place of its own; its nodes lie where its own
 /// densities put them. Throws BadInput where its channels are not the source's.
 RglDesign resampled_rgl(const ExportModel& source, RglContent layout);
 

@@ -16,10 +16,10 @@ constexpr double pi = std::numbers::pi;
 // Half vectors towards the horizon are taken no further from the normal than this, degrees: there f may
 // vanish.
 constexpr double furthest = 50;
-// Of the largest density.
+// No density is taken below this share of the largest one.
 constexpr double smallest_density = 1e-6;
 
-/// The integral over half vectors of a function of their polar angle, radians, and their density.
+/// Integrates a function of the polar angle, radians, times the density over half vectors.
 template <class Function>
 double integral(const std::vector<double>& density, const Function& function) {
   double sum = 0;
@@ -31,7 +31,7 @@ double integral(const std::vector<double>& density, const Function& function) {
   return sum;
 }
 
-/// The cosine between a direction and half vectors, 0 where negative, as a mean over their azimuth.
+/// Gives the mean over the half vectors' azimuth of their cosine with a direction, which is 0 where negative.
 double mean_cosine(double theta_i, double theta_m) {
   const double level = std::cos(theta_i) * std::cos(theta_m), swing = std::sin(theta_i) * std::sin(theta_m);
   if (level >= swing) return level;

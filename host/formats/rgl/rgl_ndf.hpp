@@ -1,4 +1,4 @@
-// D and sigma of an RGL file: the lobe about the normal as a density of half vectors, and its projected area.
+// D of an RGL file is the lobe about the normal as a density of half vectors, and sigma its projected area.
 #pragma once
 
 #include <cstddef>
@@ -8,16 +8,16 @@
 
 namespace brdftab {
 
-/// The mean of bands, sample by sample, of [band][sample].
+/// Gives the mean of bands, sample by sample, of [band][sample].
 std::vector<double> mean_of_bands(const std::vector<std::vector<double>>& by_band);
 
-/// Densities of half vectors in 1/sr over their polar angle, at nodes evenly over the x of RglPlace, such
-/// that the projected area along the normal is 1. From light and viewer 45 degrees from the half vector, to
-/// either side of the plane that it makes with the normal: so both stay above the horizon, and far from the
-/// retro-reflecting lobe. All above 0. Throws BadInput where f is 0 at all of them.
+/// Gives densities of half vectors in 1/sr over their polar angle, at nodes evenly over the x of RglPlace,
+/// such that the projected area along the normal is 1. They are above 0. Light and viewer are taken 45
+/// degrees from the half vector, to either side of the plane that it makes with the normal: so both stay
+/// above the horizon, and far from the retro-reflecting lobe. Throws BadInput where f is 0 at all of them.
 std::vector<double> half_vector_density(const ExportModel& source, std::size_t nodes);
 
-/// The projected area of such a density as it is seen from polar angles evenly over x.
+/// Gives the projected area of such a density as it is seen from polar angles evenly over x.
 std::vector<double> projected_area(const std::vector<double>& density, std::size_t nodes);
 
 }  // namespace brdftab

@@ -1,4 +1,4 @@
-// The tensor file: named arrays in one binary file, as Mitsuba 3, pbrt-v4 and powitacq read and write them.
+// A tensor file holds named arrays in binary, as Mitsuba 3, pbrt-v4 and powitacq read and write them.
 #pragma once
 
 #include <cstdint>
@@ -10,10 +10,10 @@
 
 namespace brdftab {
 
-/// The first bytes of such a file: its name with the zero at its end, then version 1.0.
+/// A file begins with these bytes: the format's name with the zero at its end, then version 1.0.
 inline constexpr std::string_view tensor_file_magic{"tensor_file\0\1\0", 14};
 
-/// An array in C order: bytes or float32. The other one is empty.
+/// An array in C order has bytes or float32; the other list is empty.
 struct Tensor {
   std::vector<std::uint64_t> shape;
   std::vector<std::uint8_t> bytes;

@@ -30,8 +30,8 @@ std::vector<double> numbers_of(std::string line, const std::string& where) {
 // A quarter of a turn in few digits, 1.571 for pi/2, lies a little beyond it.
 constexpr double beyond_rim = 0.02;
 
-/// Angles of a row as the file has them, made directions of a measurement. `phi` is from the incident
-/// azimuth, 0 towards retro-reflection.
+/// Makes samples of a measurement from rows whose angles are as the file has them. `phi` counts from the
+/// incident azimuth, where 0 is towards retro-reflection.
 class Rows {
  public:
   Rows(Measurement& measurement, const MeasurementOptions& options)

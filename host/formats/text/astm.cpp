@@ -1,4 +1,4 @@
-// ASTM E1392 text as Cornell writes it: a row for each pair of directions, in radians, both away from the
+// ASTM E1392 text as Cornell writes it has a row for each pair of directions, in radians, both away from the
 // surface.
 #include <fstream>
 #include <iterator>

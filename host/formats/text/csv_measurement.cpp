@@ -19,7 +19,8 @@ double number(const Csv& csv, std::string_view cell, std::string_view column, st
   return *value;
 }
 
-// Into degrees; false where theta is a quarter of a turn, but for digits, and the model has no value.
+// Turns the angles into degrees. Gives false where theta is a quarter of a turn, but for its digits: the
+// model has no value there.
 bool take_angles(DirectionPair& pair, const AngleUnit& unit, const Csv& csv) {
   constexpr double beyond_rim = 0.02;
   pair.theta_i = in_degrees(pair.theta_i, unit.theta);
@@ -43,7 +44,7 @@ void warn_of_radians(Measurement& measurement) {
   if (!doubt.empty()) measurement.warnings.push_back(std::move(doubt));
 }
 
-// A value of f in one light, and of its uncertainty.
+// The columns of f in one light, and of its uncertainty.
 struct BrdfColumn {
   Polarization light;
   std::size_t brdf;

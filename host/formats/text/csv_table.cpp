@@ -1,4 +1,4 @@
-// A long table of comma-separated values, for whatever reads text: a row for each pair of directions.
+// A long table of comma-separated values, for whatever reads text, has a row for each pair of directions.
 #include <algorithm>
 #include <array>
 #include <fstream>
@@ -21,12 +21,12 @@ namespace {
 constexpr std::string_view first_line = "# A row for each pair of directions; f = brdf in 1/sr";
 constexpr std::string_view columns = "theta_i_deg,phi_i_deg,theta_s_deg,phi_s_deg,brdf_s,brdf_p,brdf";
 
-// The columns read, angles first; the last two may be absent.
+// These columns are read, the angles first; the last two may be absent.
 constexpr std::array<std::string_view, 7> names{"theta_i_deg", "phi_i_deg", "theta_s_deg", "phi_s_deg",
                                                 "brdf",        "brdf_s",    "brdf_p"};
 constexpr std::size_t angle_columns = 4, needed = 5;
 
-// Significant digits of a number as it is written.
+// Counts the significant digits of a number as it is written.
 int digits_of(std::string_view number) {
   const std::string_view mantissa = number.substr(0, number.find_first_of("eE"));
   const auto first = mantissa.find_first_of("123456789");

@@ -8,7 +8,7 @@
 namespace brdftab {
 namespace {
 
-// Of pi in four digits.
+// So far pi in four digits may be off.
 constexpr double rounding = 1 + 1e-4;
 constexpr double turn = 2 * std::numbers::pi;
 
@@ -24,7 +24,7 @@ bool are_multiples(std::span<const double> angles, double factor, double step, d
   });
 }
 
-// As people write degrees.
+// People write degrees as such multiples.
 bool are_round(std::span<const double> angles) { return are_multiples(angles, 1, 0.01, 1e-9); }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Directions, cosines and wavelengths that look like others than a file's layout says.
+// Directions, cosines and wavelengths may look like others than a file's layout says.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -19,10 +19,10 @@ namespace {
 // From here on a surface's forward scatter exceeds its backward scatter by far, unless it retro-reflects.
 constexpr double high_incidence = 45;
 constexpr double suspicious_asymmetry = 2;
-// In direction cosines: within it a retro-reflecting lobe has its peak.
+// A retro-reflecting lobe has its peak within this distance, in direction cosines.
 constexpr double retro_lobe = 0.1;
 constexpr std::size_t few_views = 5;
-// Degrees: samples at scattered directions fill groups of incidences, not one of them.
+// Samples at scattered directions fill groups of incidences of this width, degrees, not one of them.
 constexpr double wide_incidence = 10;
 
 bool is_backward(const DirectionPair& pair) { return std::cos(radians(pair.model_phi())) < 0; }
@@ -32,12 +32,12 @@ double distance_from_retro(const DirectionPair& pair) {
   return std::hypot(sine * std::cos(phi) + std::sin(radians(pair.theta_i)), sine * std::sin(phi));
 }
 
-// Degrees out of the plane of incidence that leave a sample in it, and between neighbours that interpolation
-// may bridge.
+// A sample counts as in the plane of incidence if it is so many degrees out of it; interpolation may bridge
+// so many between neighbours.
 constexpr double in_plane = 1;
 constexpr double widest_gap = 16;
 
-/// ln f of one incidence in plane over signed theta_s, the forward side positive.
+/// This is ln f of one incidence in plane over signed theta_s, where the forward side is positive.
 using Scan = std::map<double, double>;
 
 std::optional<double> ln_f(const Scan& scan, double theta_s) {
@@ -130,7 +130,8 @@ std::string doubt_of_geometry(const Measurement& measurement) {
   for (const auto& sample : measurement.samples) theta_i.push_back(sample.pair.theta_i);
   const Incidences wide(theta_i, wide_incidence);
   std::vector<Views> views(incidences.size());
-  // In whole degrees, as they are and from the mirror direction: either may be the setting of the instrument.
+  // Angles are counted in whole degrees, as they are and from the mirror direction: either may be the setting
+  // of the instrument.
   std::vector<Views> absolute(wide.size()), relative(wide.size());
   for (const auto& sample : measurement.samples) {
     const DirectionPair& pair = sample.pair;

@@ -1,4 +1,4 @@
-// Values that look like another quantity than f in 1/sr.
+// Values may look like another quantity than f in 1/sr.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,19 +14,20 @@
 namespace brdftab {
 namespace {
 
-// A diffuse reflectance above 1 by more than a measurement's error; a reflectance factor reads at most pi
-// times too high.
+// A diffuse reflectance is suspicious if it is above 1 by more than a measurement's error; a reflectance
+// factor reads at most pi times too high.
 constexpr double suspicious_reflectance = 1.1;
 // Grazing samples may be large, whatever the unit.
 constexpr double largest_theta = 60;
-// In direction cosines from the mirror and from the retro-reflected direction: beyond most lobes.
+// Most lobes end within this distance, in direction cosines, from the mirror and the retro-reflected
+// direction.
 constexpr double beyond_lobes = 0.3;
 constexpr std::size_t fewest_of_incidence = 5, fewest = 3;
 
 // A tenth of the values lie below this one: the diffuse level, whatever peaks there are.
 double low_level(std::vector<double> values) { return percentile(values, 10); }
 
-// In the plane of direction cosines, where lobes are about circles.
+// Distances are taken in the plane of direction cosines, where lobes are about circles.
 double distance_from_peaks(const DirectionPair& pair) {
   const double alpha_0 = std::sin(radians(pair.theta_i)), sine = std::sin(radians(pair.model_theta_s()));
   const double alpha = sine * std::cos(radians(pair.model_phi())),
@@ -34,8 +35,8 @@ double distance_from_peaks(const DirectionPair& pair) {
   return std::min(std::hypot(alpha - alpha_0, beta), std::hypot(alpha + alpha_0, beta));
 }
 
-// The lowest over the incidences, or where those have few samples, of all of them; infinite where none can
-// tell.
+// Gives the lowest diffuse level over the incidences or, where those have few samples, that of all samples;
+// infinite where none can tell.
 double diffuse_level(const Measurement& measurement) {
   const Incidences incidences = measurement.incidences();
   std::map<std::pair<std::size_t, std::size_t>, std::vector<double>> by_incidence;
@@ -55,7 +56,7 @@ double diffuse_level(const Measurement& measurement) {
   return lowest;
 }
 
-// Values of one channel, in the order of the file.
+// Gives the values of one channel, in the order of the file.
 std::map<std::size_t, std::vector<double>> values_by_channel(const Measurement& measurement) {
   std::map<std::size_t, std::vector<double>> result;
   for (const auto& sample : measurement.samples)
@@ -64,8 +65,8 @@ std::map<std::size_t, std::vector<double>> values_by_channel(const Measurement& 
 }
 
 constexpr double clearly_negative = -0.1;
-// Of the samples: peaks of a logarithm are above 0 in few stretches, where noise about 0 changes its sign at
-// every other sample.
+// Counts the stretches of equal sign: a logarithm's peaks are above 0 in few of them, while noise about 0
+// changes its sign at every other sample.
 constexpr double most_changes_of_sign = 0.2;
 
 // Takes the values in the order of the file.

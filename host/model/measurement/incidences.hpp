@@ -1,5 +1,5 @@
-// The settings of theta_i in a measurement: angles read back from an encoder, or that differ by rounding, are
-// one setting.
+// A measurement has settings of theta_i: angles that were read back from an encoder, or that differ by
+// rounding, are one setting.
 #pragma once
 
 #include <cstddef>
@@ -26,14 +26,14 @@ class Incidences {
   Incidences joined(std::size_t most) const;
 
   std::size_t size() const { return groups_.size(); }
-  /// The mean of a group's angles in degrees, rounded to 0.01 or, where they differ less, more finely;
-  /// increasing.
+  /// Gives the mean of each group's angles in degrees, rounded to 0.01 or, where they differ less, more
+  /// finely; the means increase.
   double angle(std::size_t group) const;
   std::vector<double> angles() const;
-  /// The lowest and the highest angle of a group, degrees.
+  /// Gives the lowest and the highest angle of a group, degrees.
   double lowest(std::size_t group) const { return groups_[group].lowest; }
   double highest(std::size_t group) const { return groups_[group].highest; }
-  /// The group of an angle that the constructor was given.
+  /// Gives the group of an angle that the constructor was given.
   std::size_t index(double theta_i) const;
 
  private:

@@ -17,7 +17,7 @@ bool has(const Measurement& measurement, Polarization light) {
                      [&](const MeasuredSample& sample) { return sample.share_s == share_s(light); });
 }
 
-// Of the two samples that each row has; independent errors add in squares.
+// Makes the mean of the two samples that each row has; independent errors add in squares.
 void take_means(Measurement& measurement) {
   std::map<std::pair<std::size_t, std::size_t>, MeasuredSample> of_s;  // by line and channel
   std::vector<MeasuredSample> means;

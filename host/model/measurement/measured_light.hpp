@@ -9,7 +9,7 @@
 
 namespace brdftab {
 
-/// Share of s-polarised light.
+/// Gives the share of s-polarised light.
 constexpr double share_s(Polarization light) {
   return light == Polarization::s ? 1 : light == Polarization::p ? 0 : 0.5;
 }
@@ -17,12 +17,14 @@ constexpr double share_s(Polarization light) {
 /// "s-polarised", "p-polarised" or "unpolarised".
 std::string_view light_word(double share_s);
 
-/// Of the option --polarization: unpolarized, s, p, or all: s and p together.
+/// Gives the light that `polarization` names: unpolarized, s, p, or all, which is s and p together. Throws
+/// BadInput.
 std::vector<Polarization> light_named(const std::string& name);
 
 /// Keeps the samples of the light asked for. Where unpolarised light is asked for and only s and p are there,
-/// f is their mean. `tells_light`: the format says which polarisation a value is of; in others all samples
-/// become of the one that is asked for. Throws BadInput where the measurement has not what is asked.
+/// f is their mean. `tells_light` is true where the format says which polarisation a value is of; in other
+/// formats all samples become of the one that is asked for. Throws BadInput where the measurement has not
+/// what is asked.
 void choose_light(Measurement& measurement, const std::vector<Polarization>& light, bool tells_light);
 
 }  // namespace brdftab

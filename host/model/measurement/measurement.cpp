@@ -34,7 +34,7 @@ void set_aside_what_is_no_number(Measurement& measurement) {
   warn(negatives, "negative");
 }
 
-// Channel, light and angles.
+// A direction is told by its channel, light and angles.
 using Direction = std::tuple<std::size_t, double, double, double, double>;
 
 // At the normal all azimuths are one direction.
@@ -44,7 +44,8 @@ Direction direction_of(const MeasuredSample& sample) {
   return {sample.channel, sample.share_s, sample.pair.theta_i, theta_s, phi == -180 ? 180 : phi};
 }
 
-// Each is information, its value the same or not: instruments round, and read a direction more than once.
+// Instruments round, and read a direction more than once: each reading is information, its value the same or
+// not.
 void count_repeated_readings(Measurement& measurement) {
   std::set<Direction> directions;
   std::set<std::pair<Direction, double>> readings;

@@ -17,15 +17,15 @@
 
 namespace brdftab {
 
-/// f_r in 1/sr at a pair of directions, not weighted by a cosine.
+/// A sample is f_r in 1/sr at a pair of directions, not weighted by a cosine.
 struct MeasuredSample {
   DirectionPair pair;
   double brdf;
-  /// Standard uncertainty of f in 1/sr; nan where the file gives none.
+  /// The standard uncertainty of f in 1/sr; nan where the file gives none.
   double sigma = std::numeric_limits<double>::quiet_NaN();
-  /// Index into Measurement::channels.
+  /// The index into Measurement::channels.
   std::size_t channel = 0;
-  /// Share of s-polarised light; 1/2: unpolarised.
+  /// The share of s-polarised light; 1/2 is unpolarised.
   double share_s = 0.5;
 };
 
@@ -38,19 +38,19 @@ struct Measurement {
   std::vector<std::string> warnings;
   /// How the samples were taken, where the file does not say it.
   std::vector<std::string> notes = {};
-  /// Of one setting of theta_i, degrees.
+  /// Angles of incidence within this width are one setting, degrees.
   double incidence_width = Incidences::usual_width;
   /// Each value is the mean of f(i, s) and f(s, i), as in formats that cannot tell the two apart.
   bool mean_of_exchanges = false;
 
   bool has_sigma() const;
-  /// The settings of theta_i, of all channels together.
+  /// Gives the settings of theta_i, of all channels together.
   Incidences incidences() const;
-  /// Of a channel; none where its name is no wavelength.
+  /// Gives a channel's wavelength; none where its name is no wavelength.
   std::optional<double> wavelength_nm(std::size_t channel) const;
-  /// By its text, or by its wavelength in whatever text and unit.
+  /// Finds a channel by its text, or by its wavelength in whatever text and unit.
   std::optional<std::size_t> find_channel(std::string_view name) const;
-  /// The samples of one channel, as a measurement of its own.
+  /// Gives the samples of one channel, as a measurement of its own.
   Measurement channel(std::size_t index) const;
 };
 
@@ -58,23 +58,24 @@ struct Measurement {
 struct MeasurementOptions {
   /// The name of a format that is read as a measurement; empty: the file's extension tells it.
   std::string format = {};
-  /// Of the angles; none: the layout's own (csv and zemax: degrees, alta and astm: radians).
+  /// The unit of the angles; none: the layout's own (csv and zemax: degrees, alta and astm: radians).
   std::optional<AngleUnit> angles = {};
   /// What the values are; none: f in 1/sr, and a warning where they look unlike it.
   std::optional<ValueKind> values = {};
-  /// Factor to f in 1/sr, beside `values`.
+  /// A further factor to f in 1/sr, beside `values`.
   double scale = 1;
-  /// Of wavelengths whose text or column names none; none: nm, and a warning where that is no light's.
+  /// The unit of wavelengths whose text or column names none; none: nm, and a warning where that is no
+  /// light's.
   std::optional<WavelengthUnit> wavelength_unit = {};
-  /// Directions over the hemisphere that a MERL file is sampled at; 0: in plane.
+  /// The number of directions over the hemisphere that a MERL file is sampled at; 0: in plane.
   std::size_t merl_samples = 0;
   std::uint64_t merl_seed = 1;
-  /// Adds 180 degrees to phi: for files whose azimuth 0 is the backward side.
+  /// Adds 180 degrees to phi, for files whose azimuth 0 is the backward side.
   bool flip_azimuth = false;
-  /// What to read: the columns brdf, brdf_s or brdf_p of CSV, or s and p together; of other formats, what
-  /// they were measured in.
+  /// Chooses what is read: the columns brdf, brdf_s or brdf_p of CSV, or s and p together. Of other formats
+  /// it says what light they were measured in.
   std::vector<Polarization> light{Polarization::unpolarized};
-  /// Of one setting of theta_i, degrees; 0 tells every two numbers apart.
+  /// Angles of incidence within this width are one setting, degrees; 0 tells every two numbers apart.
   double incidence_width = Incidences::usual_width;
 };
 

@@ -25,12 +25,12 @@ inline constexpr std::array<ValueKindRow, 7> value_kind_table{{
     {ValueKind::cosine_weighted, "cosine-weighted", "f cos theta_s"},
 }};
 
-/// None where the table has no such name.
+/// Finds a kind by its name; none where the table has no such name.
 std::optional<ValueKind> parse_value_kind(std::string_view name);
 
-/// f in 1/sr from a value measured at `theta_s` degrees, below 90.
+/// Gives f in 1/sr from a value measured at `theta_s` degrees, below 90.
 double brdf_of(ValueKind kind, double value, double theta_s);
-/// df/dvalue at that f: what turns a standard uncertainty of the value into one of f.
+/// Gives df/dvalue at that f, which turns a standard uncertainty of the value into one of f.
 double slope_of_brdf(ValueKind kind, double brdf, double theta_s);
 
 }  // namespace brdftab

@@ -9,10 +9,10 @@
 namespace brdftab {
 namespace {
 
-// Far below what any spectrometer resolves, and above the rounding of float32.
+// This is far below what any spectrometer resolves, and above the rounding of float32.
 constexpr double resolution = 1e-6;
 
-// With 13 digits: 0.45 um are 450 nm, without the last bits of a multiplication.
+// Rounds to 13 digits: 0.45 um are 450 nm, without the last bits of a multiplication.
 double rounded(double nm) {
   const double decade = std::pow(10, 12 - std::floor(std::log10(nm)));
   return std::round(nm * decade) / decade;
@@ -27,7 +27,7 @@ std::optional<WavelengthUnit> parse_wavelength_unit(std::string_view name) {
 }
 
 std::optional<NamedWavelength> parse_wavelength(std::string_view text, const WavelengthUnit& unit) {
-  // The micro sign and the Greek letter; "m" ends the others and comes last.
+  // Both the micro sign and the Greek letter stand for it; "m" ends the others and comes last.
   constexpr std::array<std::pair<std::string_view, double>, 5> suffixes{
       {{"nm", 1}, {"um", 1e3}, {"\u00b5m", 1e3}, {"\u03bcm", 1e3}, {"m", 1e9}}};
   text = trimmed(text);

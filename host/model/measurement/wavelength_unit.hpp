@@ -1,4 +1,4 @@
-// Wavelengths as files name them: a number, with or without its unit.
+// Files name wavelengths by a number, with or without its unit.
 #pragma once
 
 #include <array>
@@ -12,17 +12,17 @@ struct WavelengthUnit {
   double nm;
 };
 
-/// "nm" first.
+/// "nm" comes first.
 inline constexpr std::array<WavelengthUnit, 3> wavelength_units{{{"nm", 1}, {"um", 1e3}, {"m", 1e9}}};
 
-/// Vacuum ultraviolet to far infrared, nm: beyond it a number is more likely in another unit.
+/// Light goes from vacuum ultraviolet to far infrared, nm: beyond it a number is more likely in another unit.
 inline constexpr double least_plausible_nm = 100;
 inline constexpr double largest_plausible_nm = 100'000;
 inline bool is_plausible_wavelength(double nm) {
   return nm >= least_plausible_nm && nm <= largest_plausible_nm;
 }
 
-/// None where the table has no such name.
+/// Finds a unit by its name; none where the table has no such name.
 std::optional<WavelengthUnit> parse_wavelength_unit(std::string_view name);
 
 struct NamedWavelength {
@@ -31,12 +31,12 @@ struct NamedWavelength {
   double nm_per_unit;
 };
 
-/// "450", "0.45um", "450 nm", "4.5e-7m" (a micro sign is read too); a number alone is in `unit`. None where
-/// the text is no wavelength above 0.
+/// Reads "450", "0.45um", "450 nm", "4.5e-7m" (with a micro sign, too); a number alone is in `unit`. None
+/// where the text is no wavelength above 0.
 std::optional<NamedWavelength> parse_wavelength(std::string_view text,
                                                 const WavelengthUnit& unit = wavelength_units[0]);
 
-/// Two that decimals in other units and float32 tell apart, no more.
+/// Says whether only decimals in other units, or float32, tell the two apart.
 bool is_same_wavelength(double nm, double other_nm);
 
 }  // namespace brdftab
