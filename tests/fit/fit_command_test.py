@@ -90,7 +90,9 @@ class Fit(InFolder):
             self.assertTrue(line.endswith(flag), line)
         self.assertEqual(fit["rho_surface"]["bounds"], [1e-4, 100])
         for at in fit["incidences"]:
-            self.assertRegex(printed, rf"theta_i = {at['theta_i']:g} +{at['rms']:.2g}\d* +\({at['samples']} samples\) ")
+            line = re.search(rf"theta_i = {at['theta_i']:g} +(\S+) +\({at['samples']} samples\) +DHR (\S+)", printed)
+            for key, value in zip(("rms", "dhr"), line.groups()):
+                self.assertAlmostEqual(at[key] / float(value), 1, delta=6e-3, msg=str(at))
 
     def test_polarised_light_is_fitted_as_such(self):
         data = self.synthetic()
