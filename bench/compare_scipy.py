@@ -22,7 +22,7 @@ NAMES = ["n_eff", "k_eff", "sigma_surface", "rho_surface", "sigma_bulk", "rho_bu
 LOW = numpy.array([0.05, 0, 0, 1e-4, 0, 1e-4, 0, 1e-4, 0, 0, 0, 0, 0.05, 0])
 HIGH = numpy.array([20, 20, 100, 100, 100, 100, 100, 100, 100, 100, 1000, 1000, 100, 60])
 SCALE = numpy.array([0, 0.05, 1e-3, 0, 1e-3, 0, 1e-3, 0, 0.02, 0.02, 0.1, 0.02, 0, 0.5])
-# Where starts are drawn, as host/fit/fit_starts.cpp has it, with plain amplitudes.
+# Starts are drawn from these ranges, as host/fit/fit_starts.cpp has them, with plain amplitudes.
 START_LOW = numpy.array([0.6, 0.01, 0.02, 0.004, 0.02, 0.15, 0.002, 0.01, 0.03, 0.01, 0.05, 0.01, 0.6, 0.05])
 START_HIGH = numpy.array([4, 4, 2, 1.5, 2, 10, 1, 3, 1, 5, 30, 5, 3, 40])
 NODES = 128

@@ -65,7 +65,7 @@ int recover(const Engine& engine, int materials, unsigned seed) {
   return found == materials ? 0 : 1;
 }
 
-// All terms matter and none is at its bound, as the theory of intervals asks.
+// All terms of these materials matter and no parameter is at its bound, as the theory of intervals asks.
 constexpr Parameters covered{1.5, 0.3, 0.8, 0.25, 0.3, 1.2, 0.1, 0.3, 0.3, 0.3, 2, 1, 1, 4};
 
 int cover(const Engine& engine, int trials, std::uint64_t seed) {

@@ -78,8 +78,8 @@ inline std::string astm(const std::vector<Row>& rows, const Change& change = as_
   return text;
 }
 
-// About the specular direction; radial angles along the plane only, where signed theta_s is theta_i -+
-// radial.
+// The layout counts angles about the specular direction. Radial angles lie in the plane only, where signed
+// theta_s is theta_i -+ radial.
 inline std::string zemax(const Surface& f, const Change& change = as_is, double angle = 1) {
   const std::vector<double> incidence{10, 40, 60}, azimuth{0, 180},
       radial{0, 5, 10, 20, 30, 40, 50, 60, 80, 110};

@@ -54,7 +54,8 @@ def place(axis, value):
     return axis["from"] + share * (axis["to"] - axis["from"])
 
 
-# In the browser: texts that leave the picture or touch each other. A bounding box is higher than what is written in it.
+# This runs in the browser and returns texts that leave the picture or touch each other. A bounding box is higher than what is
+# written in it.
 TEXTS_IN_THE_WAY = """
 (() => {
   const page = document.documentElement.getBoundingClientRect();

@@ -31,7 +31,7 @@ const Engine& engine(Precision working, Precision table) {
 #define REQUIRE_FP64() \
   if (!select_device(std::nullopt).has_fp64) GTEST_SKIP() << "the device has no fp64"
 
-// A material through its file, the only way to have one.
+// A material is made by its file, which is the only way to have one.
 Material material_of(const Parameters& p, const Variant& variant) {
   static const char* const normalizations[] = {"hemispherical", "reciprocal", "closed-form"};
   static const char* const shadowings[] = {"all", "surface", "none"};

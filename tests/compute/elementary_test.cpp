@@ -43,7 +43,7 @@ auto uniform(double low, double high) {
   return [=](std::mt19937_64& random) { return std::uniform_real_distribution(low, high)(random); };
 }
 
-// Both signs, over many decades.
+// Points have both signs and cover many decades.
 auto decades(double low, double high, double sign) {
   return [=](std::mt19937_64& random) {
     return sign * std::exp(std::uniform_real_distribution(std::log(low), std::log(high))(random));
@@ -83,7 +83,7 @@ TEST(Elementary, SineAndCosineOfDegrees) {
   const auto sine = [](double x) { return sincos_degrees(x).sine; };
   const auto cosine = [](double x) { return sincos_degrees(x).cosine; };
   EXPECT_LE(worst_ulps(uniform(0, 89.99), sine, [&](long double x) { return std::sin(x * degree); }), 2.0);
-  // Through 90 - x, which is exact: long double's pi would lose digits of cos near 90 degrees.
+  // cos goes through 90 - x, which is exact: long double's pi would lose digits near 90 degrees.
   EXPECT_LE(
       worst_ulps(uniform(45, 89.99999), cosine, [&](long double x) { return std::sin((90 - x) * degree); }),
       2.0);

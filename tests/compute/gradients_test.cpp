@@ -144,7 +144,8 @@ TEST(Gradients, ManyCloseAnglesGiveWhatEachGivesAlone) {
   RandomMaterials random(34);
   std::vector<Parameters> materials;
   for (int k = 0; k < 40; ++k) materials.push_back(random.plausible());
-  // Eight settings read back from an encoder, a scan in tenths of a degree, and single angles up to grazing.
+  // The angles are eight settings read back from an encoder, a scan in tenths of a degree, and single ones up
+  // to grazing.
   std::vector<DirectionPair> pairs;
   for (int k = 0; k < 240; ++k)
     pairs.push_back({10. * (k % 8) + random.uniform(0, 0.1), random.uniform(0, 80), 180. * (k % 2), 0});

@@ -39,7 +39,7 @@ class KernelStoreTest : public testing::Test {
     return files;
   }
 
-  // The kernel as restored into a new folder; empty if it was not.
+  // Returns the kernel that was restored into a new folder, or nothing if none was.
   std::string restored() {
     const fs::path target = work(std::to_string(++count_));
     damage_ = store_.restore(target);
@@ -123,7 +123,7 @@ TEST_F(KernelStoreTest, TheOldestMakeRoom) {
   EXPECT_FALSE(fs::exists(work(std::to_string(count_)) / "AB" / "7.so"));
 }
 
-// A child process, as a death test is one, takes nothing from its parent.
+// A death test is a child process, which takes nothing from its parent.
 [[noreturn]] void end_in_child(RunFolder& folder) {
   folder.~RunFolder();
   std::exit(0);

@@ -78,7 +78,7 @@ class PoclCache(InFolder):
         listed = run("devices").stdout
         if "Portable Computing Language" not in listed:
             raise unittest.SkipTest(f"the driver is not PoCL: {listed.strip()}")
-        # A cache that is warm, and the bytes of a table.
+        # Makes a warm cache, and keeps the bytes of a table.
         temporary = tempfile.TemporaryDirectory()
         cls.addClassCleanup(temporary.cleanup)
         cls.warm = pathlib.Path(temporary.name)

@@ -41,7 +41,7 @@ class Fit(InFolder):
         self.assertRegex(result.stderr, r"% of it in kernels")
         pictures = {path.name: path for path in (self.folder / "report").iterdir()}
         self.assertEqual(sorted(pictures), ["correlations.svg", "fit.svg", "residuals.svg", "shadowing.svg"])
-        # A dot for each sample and a curve for each incidence.
+        # The picture has a dot for each sample and a curve for each incidence.
         for name, curves in (("fit.svg", 5), ("residuals.svg", 0)):
             series = Picture(pictures[name]).data["panels"][0]["series"]
             self.assertEqual(sum(len(s["x"]) for s in series if s["marks"] == "dots"), 105)
@@ -155,7 +155,7 @@ class Fit(InFolder):
                 self.assertFalse((self.folder / "x.toml").exists())
 
     def test_a_bad_fit_says_so_in_its_first_line(self):
-        # No surface: what scatters at one angle says nothing of the next.
+        # This is no surface: what scatters at one angle says nothing of the next.
         draw = random.Random(4)
         text = HEADER + "".join(f"{i},{s},0,{math.exp(draw.gauss(-2, 1.5))},a\n" for i in (0, 30, 60) for s in range(-75, 76, 5))
         output = self.folder / "x.toml"

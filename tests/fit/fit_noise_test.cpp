@@ -95,7 +95,7 @@ TEST_F(FitNoise, ABlackSampleIsNotMadeBrighterByItsNoise) {
       EXPECT_NEAR(of.noise->relative, 0.02, 0.006);
     }
   }
-  // What selection by the measured value does, and that it is told.
+  // Selection by the measured value biases a fit, and the fit says so.
   FitOptions relative;
   relative.starts = 8;
   FitProblem problem(engine(), black, relative);
@@ -118,7 +118,7 @@ TEST_F(FitNoise, SoIsAnotherMaterialWithAnotherFloor) {
     EXPECT_GE(of.high, grey.sigma_bulk);
     if (of.noise) {
       EXPECT_NEAR(of.noise->floor, grey_noise.floor, 0.1 * grey_noise.floor);
-      // Few samples are bright enough to tell it.
+      // Few samples are bright enough to tell this parameter.
       EXPECT_NEAR(of.noise->relative, grey_noise.relative, 0.5 * grey_noise.relative);
     }
   }
@@ -131,7 +131,8 @@ TEST_F(FitNoise, IntervalsCoverTheTruthOverSeeds) {
   constexpr int seeds = 12;
   for (unsigned seed = 1; seed <= seeds; ++seed) {
     FitOptions options = with_noise("estimated", 4);
-    // What these data cannot tell; held, so that the others have intervals that are no bounds.
+    // These data cannot tell some parameters; they are held, so that the intervals of the others end at no
+    // bound.
     for (const char* known : {"n_eff=1.2", "k_eff=0.2", "rho_bulk=1", "rho_retro=1"})
       fix_parameter(options.choices, known);
     const Found of = found(noisy(black, {0.02, 1e-3}, 15, 4, seed), options);

@@ -17,7 +17,7 @@
 namespace brdftab {
 namespace {
 
-// All terms matter and none is at a bound.
+// All terms of this material matter, and none of its parameters is at a bound.
 constexpr Parameters paint{1.5, 0.3, 0.8, 0.25, 0.3, 1.2, 0.1, 0.3, 0.3, 0.3, 2, 1, 1, 4};
 
 class FitTest : public OnFitDevice {
@@ -106,7 +106,7 @@ TEST_F(FitTest, IntervalsCoverTheTruthAndFlagWhatDataCannotTell) {
   };
   EXPECT_TRUE(named("gamma").poorly_known());
   EXPECT_FALSE(named("sigma_surface").unidentifiable());
-  // What would tell is grazing incidence.
+  // Grazing incidence would tell them.
   for (const Sufficiency& entry : summary.sufficiency) {
     if (summary.variables[entry.variable].name == "gamma") {
       EXPECT_GE(entry.helpful_theta_i, 50);
@@ -127,7 +127,7 @@ TEST_F(FitTest, AProfileIsWiderThanItsStandardErrorWhereTheModelCurves) {
     const double value = problem.variables()[v].from_solver(found.best.u[v]);
     EXPECT_LE(profile[v].low, value);
     EXPECT_GE(profile[v].high, value);
-    // Alike where the parameter is known well.
+    // Both intervals are alike where the parameter is known well.
     if (straight[v].high < 1.2 * straight[v].low) {
       EXPECT_NEAR(profile[v].low, straight[v].low, 0.3 * (value - straight[v].low))
           << problem.variables()[v].row().name;

@@ -51,7 +51,7 @@ TEST_F(GradientBatchTest, CompanyDoesNotChangeResults) {
   constexpr std::size_t items = 9;
   std::vector<std::vector<double>> found(items);
   together.run(items, 4, [&](std::size_t k) {
-    // Some ask once and some three times, so that the company changes.
+    // Some threads ask once and some three times, so that a launch has changing members.
     for (std::size_t round = 0; round <= 2 * (k % 2); ++round) found[k] = evaluated(together, k);
   });
   for (std::size_t k = 0; k < items; ++k) EXPECT_EQ(found[k], evaluated(alone, k)) << k;

@@ -55,7 +55,7 @@ class Weights(InFolder):
                 self.assertAlmostEqual(float(values(result)["n_eff"][0]) / truth, 1, delta=0.02)
         listed = LINE.findall(rounded.stdout)
         self.assertEqual([angle for angle, to, count in listed], [angle for angle, count in settings])
-        # Told apart, each sample of the jittered scan weighs as much as a whole other scan.
+        # If its settings are told apart, each sample of the jittered scan weighs as much as another whole scan.
         apart = self.fit(DATA / "one_jittered.csv", "--incidence-width", "0", *options)
         self.assertGreater(abs(float(values(apart)["n_eff"][0]) / truth - 1), 0.05)
 
@@ -99,7 +99,7 @@ class Weights(InFolder):
                    "0:180:20", "--zemax-radial", "0,5,10,20,40")
         self.assertEqual(made.returncode, DONE, made.stderr)
         result = self.fit(data, "--floor", "0", "--max-theta", "89", "--starts", "2", "--intervals", "linear")
-        # Ten azimuths at four incidences: nine of ten values at radial 0 say nothing new.
+        # There are ten azimuths at four incidences, and nine of ten values at radial 0 say nothing new.
         self.assertIn("36 values repeat that of another azimuth", result.stderr)
         counts = {angle: int(count) for angle, to, count in LINE.findall(result.stdout)}
         self.assertEqual(counts["0"], 1 + 4 * 10)

@@ -15,7 +15,7 @@ import wheels
 from program import BAD_INPUT, DONE, ROOT, InFolder, run
 from scalar_reference import VINYL
 
-# A scene under parallel light from one direction, seen from many: f as Eradiate finds it from radiances.
+# The scene has parallel light from one direction and is seen from many: Eradiate finds f from radiances.
 SIMULATION = """
 import json, sys
 import numpy
@@ -96,7 +96,7 @@ class Readme(Written):
                                 cwd=self.folder)
         self.assertEqual(result.returncode, 0, result.stderr[-2000:])
         found = [float(line.split()[1]) for line in result.stdout.splitlines() if re.match(r"\d", line)]
-        # Light from 30 degrees at azimuth 0; negative viewing angles lie opposite.
+        # Light comes from 30 degrees at azimuth 0, and negative viewing angles lie opposite.
         f = scalar_reference.brdf(VINYL, [(30, 60, 0), (30, 30, 0), (30, 0, 0), (30, 30, 180), (30, 60, 180)])
         for a, b in zip(found, f, strict=True):
             self.assertAlmostEqual(a / b, 1, delta=5e-3)

@@ -203,7 +203,7 @@ class Texts(InFolder):
                                 holder.attrs.create(key, value.encode(), dtype=h5py.string_dtype("utf-8", size))
                     self.assertNotIsInstance(file.attrs["material"], str)
                 old = self.all_that_is_read(table)
-                # Names only: a difference of such long texts takes minutes to print.
+                # Only names are compared: a difference of such long texts takes minutes to print.
                 self.assertEqual([key for key in new if old[key] != new[key]], [])
 
     def all_that_is_read(self, table):

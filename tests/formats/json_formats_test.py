@@ -25,7 +25,7 @@ def angles(below):
         "type": "array", "items": {"type": "number", "minimum": 0, "exclusiveMaximum": below}}}}
 
 
-# ASAM OpenMATERIAL 3D 1.0.0: what it requires of a look-up table of a BRDF.
+# ASAM OpenMATERIAL 3D 1.0.0 requires this of a look-up table of a BRDF.
 OPENMATERIAL = {
     "type": "object", "required": ["metadata", "brdf"],
     "properties": {
@@ -50,7 +50,7 @@ OPENMATERIAL = {
                         {"type": "number", "minimum": 0, "maximum": 6.283185},
                         {"type": "number", "minimum": 0}]}}}}}}
 
-# EURAMET BiRD 1.0: what it requires of metadata and data, and no more than it knows.
+# EURAMET BiRD 1.0 requires this of metadata and data, and allows no more than it knows.
 BIRD = {
     "type": "object", "required": ["metadata", "data"], "additionalProperties": False,
     "properties": {

@@ -127,7 +127,7 @@ TEST(AstmMeasurement, TellsAGridsRepeatsFromReadings) {
   EXPECT_EQ(m.samples.size(), 9u) << "one at the normal, four at each other theta_s";
   ASSERT_EQ(m.warnings.size(), 1u);
   EXPECT_NE(m.warnings[0].find("6 rows repeat"), std::string::npos) << m.warnings[0];
-  // One that differs shows that the rows were read one by one.
+  // A value that differs shows that the rows were read one by one.
   EXPECT_EQ(read(read_grid, grid + row(20, 0, 0.21)).samples.size(), 16u);
 }
 
@@ -140,8 +140,8 @@ TEST(ZemaxMeasurement, TurnsSpecularAnglesIntoDirections) {
       "\t60\n\n"
       "Monochrome\nDataBegin\nTIS\t0.5\n1\t2\t3\n1\t5\t6\n1\t8\t9\nDataEnd\n";
   const auto m = read(read_zemax_measurement, text);
-  // Of nine, the one 60 degrees beyond the mirror direction lies below the horizon, and two repeat the mirror
-  // direction.
+  // Of nine samples, the one 60 degrees beyond the mirror direction lies below the horizon, and two repeat
+  // the mirror direction.
   ASSERT_EQ(m.samples.size(), 6u);
   const auto of = [&](double brdf) {
     return *std::find_if(m.samples.begin(), m.samples.end(), [&](const auto& s) { return s.brdf == brdf; });
@@ -191,7 +191,7 @@ std::string merl(const Merl& f, int invalid_h, int invalid_d) {
   return bytes;
 }
 
-// Even in theta_h and theta_d as f is; polynomials of ln f between cells are near but not exact.
+// f is even in theta_h and theta_d, and so is this; polynomials of ln f between cells are near but not exact.
 TEST(MerlMeasurement, ReadsHalfDifferenceAnglesInPlane) {
   const auto f = [](double theta_h, double theta_d, double) {
     return 0.1 + 1e-4 * theta_h * theta_h + 2e-5 * theta_d * theta_d;

@@ -29,7 +29,7 @@ hemispherical = [bsdf.direct_hemi(data, float(theta), 0.0, bsdf.SAMPLE_ALL) for 
 json.dump([values, hemispherical], sys.stdout)
 """
 
-# theta of the centre, from, to, patches: "LBNL/Klems Full" as WINDOW's documentation lists it.
+# Each row is theta of the centre, from, to, and the number of patches: "LBNL/Klems Full" as WINDOW's documentation lists it.
 KLEMS = [(0, 0, 5, 1), (10, 5, 15, 8), (20, 15, 25, 16), (30, 25, 35, 20), (40, 35, 45, 24), (50, 45, 55, 24),
          (60, 55, 65, 24), (70, 65, 75, 16), (82.5, 75, 90, 12)]
 
@@ -123,7 +123,7 @@ class Klems(Written):
 
 class Tree(Written):
     def test_centres(self):
-        # Without refinement where f varies less than tenfold, cells are eighths of the cube's edge.
+        # Cells that vary less than tenfold are not refined, and are eighths of the cube's edge.
         file = self.written(VINYL, "--radiance-values", "centre", "--radiance-tolerance", "10", "--radiance-depth", "3")
         pairs = []
         for k, a, b in itertools.product(range(4), range(8), range(8)):
@@ -153,7 +153,7 @@ class Tree(Written):
         file = self.written(SHEETING)
         scan = [(40, 33, theta, 33 + phi) for phi in (0, 180) for theta in range(0, 81, 2)]
         values = [y for _, y, _ in radiance(file, scan)[0]]
-        # Forward a reflection at 40 degrees, backward the retro-reflection.
+        # The forward direction is a reflection at 40 degrees, the backward one the retro-reflection.
         forward, backward = values[:41], values[41:]
         self.assertEqual(2 * max(range(41), key=forward.__getitem__), 40)
         self.assertEqual(2 * max(range(41), key=backward.__getitem__), 40)
@@ -268,7 +268,7 @@ sun source disk 0 0 4  0.5 0 0.8660254 0.5
         octree = subprocess.run([package / "bin" / "oconv", "scene.rad"], capture_output=True, cwd=self.folder, env=variables)
         self.assertEqual(octree.returncode, 0, octree.stderr)
         (self.folder / "scene.oct").write_bytes(octree.stdout)
-        # From the mirror direction, from the sun's and from the normal.
+        # The views are from the mirror direction, from the sun's and from the normal.
         rays = "-0.5 0 0.8660254 0.5 0 -0.8660254\n0.5 0 0.8660254 -0.5 0 -0.8660254\n0 0 1 0 0 -1\n"
         traced = subprocess.run([package / "bin" / "rtrace", "-h", "-ab", "0", "-dj", "0", "scene.oct"], input=rays,
                                 capture_output=True, text=True, cwd=self.folder, env=variables)

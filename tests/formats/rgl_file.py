@@ -51,7 +51,7 @@ class Rgl:
         self.theta_i = self.fields["theta_i"].astype(float)
         self.vndf = self.fields["vndf"][0].astype(float)
         rows, columns = self.vndf.shape[1:]
-        # Cumulative integrals of the density: along each row, and of whole rows.
+        # These are cumulative integrals of the density: along each row, and of whole rows.
         along = numpy.cumsum((self.vndf[:, :, 1:] + self.vndf[:, :, :-1]) / (2 * (columns - 1)), axis=2)
         self.along = numpy.concatenate([numpy.zeros_like(along[:, :, :1]), along], axis=2)
         whole = self.along[:, :, -1]

@@ -70,7 +70,7 @@ class DefaultFiles(unittest.TestCase):
                 above = numpy.flatnonzero((light[2] > 0.02) & (numpy.arange(len(values[0])) % 7 == 0))
                 self.assertGreater(len(above), 1000)
                 viewer = numpy.repeat(vector(math.degrees(file.theta_i[k]), 0)[:, None], len(above), axis=1)
-                # float32 tables, and N from a spline.
+                # The tables are float32, and N comes from a spline.
                 f = reference(material, viewer, light[:, above])
                 numpy.testing.assert_allclose(values[0][above] / light[2][above], f, rtol=1e-5)
                 self.assertEqual(values[:, light[2] < 0].max(initial=0), 0)
@@ -95,7 +95,7 @@ class DefaultFiles(unittest.TestCase):
                     if field.dtype == numpy.float32:
                         self.assertTrue(numpy.isfinite(field).all(), name)
                         self.assertGreaterEqual(field.min(), 0, name)
-                # Up to the horizon f cos stays finite, and beyond the last theta_i its tables serve.
+                # f cos stays finite up to the horizon, and the tables of the last theta_i serve beyond it.
                 viewer, light = vector([89.99, 89.95, 10.0], [0.0] * 3), vector([10.0, 89.99, 89.999], [100.0] * 3)
                 self.assertTrue((file.evaluate(viewer, light) * light[2] >= 0).all())
 
@@ -113,7 +113,7 @@ class Layout(InFolder):
         self.assertEqual(file.fields["phi_i"].tolist(), [0])
         self.assertEqual(file.theta_i[0], 0)
         self.assertAlmostEqual(math.degrees(file.theta_i[-1]), 89.9, places=4)
-        # Every array in place: the header, each on a boundary of 8 bytes, and nothing after the last.
+        # Every array is in its place: after the header, on a boundary of 8 bytes, and with nothing after the last.
         header = 18 + sum(2 + len(name) + 11 + 8 * field.ndim for name, field in file.fields.items())
         end = header
         for name in sorted(file.offsets, key=file.offsets.get):

@@ -101,7 +101,7 @@ class SameSamples(unittest.TestCase):
         self.assertLess(size["strongest"], size["deflate"])
         self.assertLess(size["deflate"], size["plain"] / 2)
         self.assertLess(size["view"], size["plain"] / 10)
-        # Samples alone: these are so few that what HDF5 leaves free between its own structures weighs more.
+        # Only samples are counted: they are so few that what HDF5 leaves free between its own structures weighs more.
         stored = {}
         for name in ("view", "deflated-view"):
             with h5py.File(self.folder / f"{name}.h5") as file:

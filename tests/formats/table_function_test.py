@@ -14,7 +14,7 @@ from scalar_reference import SHEETING
 
 THETA = ["--theta-i", "0:80:10", "--theta-s", "0:85:5"]
 TURN = [*THETA, "--phi-s", "0:360:5"]
-# Every way to lay nodes round, of which each can serve any azimuth.
+# These are all ways to lay nodes round a circle, of which each can serve any azimuth.
 AZIMUTHS = {"closed": ["--phi-s", "0:360:5"], "open": ["--phi-s", "0:355:5"], "signed": ["--phi-s=-180:180:5"],
             "half": ["--phi-s", "0:180:5"], "other half": ["--phi-s", "180:360:5"], "centred": ["--phi-s", "2.5:357.5:5"],
             "no node at 180": ["--phi-s", "0:352:8"], "turned": ["--phi-i", "35", "--phi-s=-145:215:5"],
@@ -201,7 +201,7 @@ class Refusals(OfATable):
         self.assertEqual(brdf(quarter, 10, 0, 20, -90), brdf(quarter, 10, 0, 20, 90))
         for phi_s in (91, -91, 180, 269):
             self.refused(quarter, "phi = ", "0.0 to 90.0", phi_s=phi_s)
-        # Two sectors, and nothing between them.
+        # The table has two sectors and nothing between them.
         sectors = self.table(*THETA, "--phi-i", "0,100", "--phi-s", "0:30:5")
         self.assertEqual(brdf(sectors, 10, 0, 20, 70), sectors.brdf.sel(theta_i=10, phi_i=100, theta_s=20, phi_s=30).item())
         self.refused(sectors, "phi = 50", "steps of at most 5", phi_s=50)

@@ -43,7 +43,7 @@ class Astm(Written):
     def test_golden_direction(self):
         names, rows = self.parse(self.generate("a.astm", *AXES, material=scalar_reference.VINYL))
         self.assertEqual(names, ["theta_i", "phi_i", "theta_s", "phi_s", "brdf"])
-        # Radians; both vectors away from the surface, so that specular is at phi_i + pi.
+        # Angles are radians, and both vectors point away from the surface, so that specular is at phi_i + pi.
         wanted = math.radians(THETA_I), math.radians(THETA_S), math.radians(PHI + 180)
         (row,) = [r for r in rows if max(abs(r["theta_i"] - wanted[0]), abs(r["theta_s"] - wanted[1]), abs(r["phi_s"] - r["phi_i"] - wanted[2])) < 1e-9]
         self.assert_close(row["brdf"], golden(), 8)

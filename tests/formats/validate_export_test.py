@@ -14,7 +14,7 @@ BANDS = "".join(f"[[band]]\nwavelength_nm = {nm}\nsigma_bulk = {sigma}\n"
 
 AXES = ["--theta-i", "0:75:15", "--theta-s", "0:80:8", "--phi-s", "0:360:20"]
 RGL = ["--rgl-theta-i", "16", "--rgl-samples", "16", "--rgl-warp-theta", "32", "--rgl-warp-phi", "17"]
-# By the suffix that export_files knows: the format, and options of a small file.
+# For each suffix that export_files knows: the format, and options of a small file.
 FORMATS = {
     "csv": ("csv", AXES), "astm": ("astm", AXES), "ssdd": ("ssdd", AXES), "json": ("bird", AXES), "xompt": ("openmaterial", AXES),
     "bsdf": ("zemax", ["--zemax-incidence", "0:75:15", "--zemax-azimuth", "0:180:20", "--zemax-radial", "0:150:10"]),
@@ -44,7 +44,7 @@ class Exported(InFolder):
         found = json.loads(result.stdout)
         self.assertTrue(found["good"])
         self.assertGreater(found["values"]["compared"], 0)
-        # The same numbers in one arithmetic: what is allowed beyond is room for others.
+        # Both sides compute the same numbers in one arithmetic: what is allowed beyond is room for others.
         self.assertLess(found["values"]["max"], 1e-6)
         for region in found["regions"]:
             for statistic in ("median", "95_percent", "mean"):

@@ -33,7 +33,7 @@ class Units : public testing::Test {
       if (warning.find("`") != std::string::npos) text += warning + "\n";
     return text;
   }
-  // Told in the wrong file, right in the right one, and equal once mended.
+  // The wrong file is told, the right one is not, and the mended file equals the right one.
   void expect_mended(const std::string& format, const std::string& wrong, const std::string& right,
                      const std::string& option, const MeasurementOptions& options) {
     const Measurement as_it_is = read(format, right);
@@ -144,7 +144,7 @@ TEST_F(Units, LogarithmsAreToldAndMended) {
   expect_mended("csv", csv(rows, log10), csv(rows), "`values` log10", with_values(ValueKind::log10));
   expect_mended("alta", alta(rows, ln), alta(rows), "`values` ln", with_values(ValueKind::ln));
   expect_mended("astm", astm(rows, decibel), astm(rows), "`values` db", with_values(ValueKind::decibel));
-  // No sample is above 0: refused, with the options.
+  // No sample is above 0: the file is refused, and the message names the settings.
   for (const Change& change : {log10, ln, decibel}) {
     try {
       read("csv", csv(faint, change));
@@ -205,7 +205,7 @@ TEST_F(Units, WavelengthsInOtherUnitsAreToldAndMended) {
                 {.wavelength_unit = parse_wavelength_unit("um")});
   expect_mended("astm", astm(rows, as_is, radian, "4.5e-7,5.5e-7"), nm, "`wavelength_unit` m",
                 {.wavelength_unit = parse_wavelength_unit("m")});
-  // Those that say their unit need no option.
+  // Files that say their unit need no option.
   for (const char* names : {"0.45um,0.55um", "0.45 \u00b5m,0.55 \u03bcm", "4.5e-7m,550e-9m"})
     expect_equal(read("astm", astm(rows, as_is, radian, names)), read("astm", nm));
   const Measurement infrared = read("astm", astm(rows, as_is, radian, "10600,3390"));
@@ -228,7 +228,7 @@ TEST_F(Units, ColumnsOfWavelengthsSayTheirUnit) {
   const std::string wrong = text("wavelength_nm", "0.45", "0.55", "0.45");
   EXPECT_NE(doubts(read("csv", wrong)).find("`wavelength_unit` um"), std::string::npos);
   expect_equal(read("csv", wrong, {.wavelength_unit = parse_wavelength_unit("um")}), nm);
-  // One channel, whatever its text.
+  // A wavelength is one channel, whatever its text.
   for (const char* other : {"450.0", "4.5e2", "450nm", "450 nm", "0.45um"})
     expect_equal(read("csv", text("wavelength_nm", "450", "550", other)), nm);
   EXPECT_EQ(read("csv", text("channel", "450", "R", "450.0")).channels,

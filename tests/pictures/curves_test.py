@@ -55,7 +55,7 @@ class Curves(Drawing):
             for panel, curve in picture.curves():
                 with self.subTest(material=material.name, curve=curve["label"]):
                     self.assertIn(float(curve["label"].removesuffix("°")), curve["x"])
-                    # Half way between samples, what is drawn is within half a unit of the curve.
+                    # What is drawn half way between samples is within half a unit of the curve.
                     incidence = float(curve["label"].removesuffix("°"))
                     x = numpy.array(curve["x"])
                     f = self.evaluated(material, [(incidence, s, 0) for s in (x[1:] + x[:-1]) / 2])

@@ -26,7 +26,7 @@ class Drawing(InFolder):
         result = run("evaluate", material, stdin=text)
         self.assertEqual(result.returncode, DONE, result.stderr)
         rows = list(csv.DictReader(io.StringIO(result.stdout)))
-        # Of a spectrum a picture shows the first band.
+        # A picture of a spectrum shows its first band.
         return numpy.array([float(row[column]) for row in rows if row.get("wavelength_nm") == rows[0].get("wavelength_nm")])
 
     def table(self, material, *options, name="table.h5"):

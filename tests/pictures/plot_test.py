@@ -62,7 +62,7 @@ class Maps(Drawing):
         picture = self.picture(table, "--kind", "hemisphere")
         for k, factor in enumerate((1, 3)):
             directions, shown, step = self.sample(picture, k)
-            # Between nodes the map is interpolated.
+            # The map is interpolated between nodes.
             expected = factor * self.evaluated(GARNET, directions)
             self.assertLess(numpy.median(numpy.abs(numpy.log(shown / expected))), step)
 

@@ -151,7 +151,7 @@ class InTheBrowser(Pages):
         with browser.Browser() as page:
             page.open(self.report(table))
             page.evaluate("slider.value = 12; slider.dispatchEvent(new Event('input'))")
-            # At the middle of the map, f of the normal, a node.
+            # The middle of the map is the normal, a node, and shows its f.
             page.evaluate("""(() => { const b = map.getBoundingClientRect(), unit = b.width / 568;
                 map.dispatchEvent(new PointerEvent('pointermove', {clientX: b.left + 262 * unit, clientY: b.top + 224 * unit})); })()""")
             reading = page.evaluate("reading.textContent")
@@ -166,7 +166,7 @@ class InTheBrowser(Pages):
             file["brdf"][9] = 5.0
         with browser.Browser() as page:
             page.open(self.report(table))
-            # Between the circles at 30 and 60 degrees.
+            # This looks between the circles at 30 and 60 degrees.
             colours = """new Set(Array.from({length: 1600}, (_, k) =>
                 [...map.getContext('2d').getImageData(2 * 232 + k % 40, 2 * 66 + Math.floor(k / 40), 1, 1).data].join())).size"""
             self.assertEqual(page.evaluate("theta_i.value"), "45°")

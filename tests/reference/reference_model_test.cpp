@@ -181,7 +181,7 @@ double hemispherical_integral(const Model& model, double theta_i, Lobe lobe) {
 }
 
 TEST(ReferenceReflectance, DhrIsTheIntegralOfF) {
-  // Panels of 25 points, with an edge at the critical angle, reach this.
+  // Panels of 25 points reach this if one of their edges is at the critical angle.
   constexpr double brute_force_tolerance = 1e-7;
   for (const auto normalization :
        {Normalization::hemispherical, Normalization::closed_form, Normalization::reciprocal})

@@ -12,9 +12,9 @@
 namespace brdftab::reference {
 namespace {
 
-// The target of the reference, by which kernels are judged at 1e-10.
+// The reference has to reach this, since kernels are judged by it at 1e-10.
 constexpr double normalization_tolerance = 1e-12;
-// What the brute-force products of Gauss panels below reach.
+// The products of Gauss panels below reach this.
 constexpr double brute_force_tolerance = 1e-9;
 
 Parameters parameters() {

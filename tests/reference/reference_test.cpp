@@ -16,7 +16,7 @@ namespace {
 
 using Complex = std::complex<Real>;
 
-// Both sides are long double: some tens of its ulp of 1e-19.
+// Both sides are long double, and differ by some tens of its ulp of 1e-19.
 constexpr Real rounding = 1e-17L;
 
 Real relative_difference(Real a, Real b) { return a == b ? 0 : std::fabs(a - b) / std::fabs(b); }
@@ -52,7 +52,7 @@ TEST(ReferenceDistance, IsTheDistanceOfDirectionVectors) {
         const Real alpha = sin_degrees(s) * cos_degrees(phi), beta = -sin_degrees(s) * sin_degrees(phi);
         const Real forward = std::pow(alpha - sin_degrees(i), 2) + beta * beta;
         const Real retro = std::pow(alpha + sin_degrees(i), 2) + beta * beta;
-        // Absolute: the vectors, not the distance, cancel at a centre.
+        // The tolerance is absolute: the vectors, not the distance, cancel at a centre.
         EXPECT_NEAR(double(squared_distance(i, s, phi)), double(forward), 1e-18)
             << i << ' ' << s << ' ' << phi;
         EXPECT_NEAR(double(squared_distance_retro(i, s, phi)), double(retro), 1e-18)
@@ -61,7 +61,7 @@ TEST(ReferenceDistance, IsTheDistanceOfDirectionVectors) {
 }
 
 TEST(ReferenceDistance, KeepsDigitsAtThePeak) {
-  // To second order: (cos θ Δθ)² + (sin θ Δφ)²; the next term is 1e-8 relative.
+  // To second order d² is (cos θ Δθ)² + (sin θ Δφ)²; the next term is 1e-8 of it.
   const Real step = 0x1p-20L * std::numbers::pi_v<Real> / 180;
   const Real in_plane = std::pow(cos_degrees(60) * step, 2), across = std::pow(sin_degrees(60) * step, 2);
   constexpr Real second_order = 1e-7L;
@@ -134,7 +134,7 @@ TEST(ReferenceFresnel, AnIndexOfOneReflectsNothing) {
   EXPECT_EQ(reflectance({1, 0}, d).s, 0);
   EXPECT_EQ(reflectance({1, 0}, d).p, 0);
   EXPECT_LT(std::fabs(mean_transmittance({1, 0}, d, e).s - 1), rounding);
-  // First order in n − 1: R_s = ((n − 1)/2μ²)².
+  // To first order in n − 1, R_s is ((n − 1)/2μ²)².
   const Real step = 0x1p-40L;
   const Real expected = std::pow(step / (2 * d.cos * d.cos), 2);
   EXPECT_LT(relative_difference(reflectance({1 + step, 0}, d).s, expected), 1e-9L);
@@ -173,7 +173,7 @@ TEST(ReferenceWidthShadowing, IntegerFlatnessIsAPoissonSum) {
         Real term = 1;
         for (int k = n; k > 0; --k) sum += term *= k / x;
         const Real log_v = -x + n * std::log(x) - std::lgamma(Real(n + 1)) + std::log(sum);
-        // Absolute in ln V is relative in V; x itself carries an ulp of up to 24400.
+        // An absolute error of ln V is a relative one of V; x itself carries an ulp of up to 24400.
         EXPECT_NEAR(double(log_width_shadowing(chi_squared, w, n) - log_v), 0, 1e-17 * double(x) + 1e-16)
             << "n " << n << " w " << double(w) << " theta " << theta << " ln V " << double(log_v);
       }

@@ -158,7 +158,7 @@ class Damaged(InFolder):
 
     def test_pixel_of_openexr_changed(self):
         table = self.make(name="table.exr")
-        # Uncompressed: the last float of the file is the last node.
+        # The table is not compressed: the last float of the file is the last node.
         whole = bytearray(table.read_bytes())
         whole[-4:] = numpy.float32(numpy.frombuffer(whole[-4:], "float32")[0] * 1.0001).tobytes()
         table.write_bytes(whole)

@@ -22,7 +22,7 @@ class Measured(unittest.TestCase):
         asked = float(error.rstrip("%")) / 100
         self.assertEqual(len(errors), count)
         self.assertLessEqual(errors.max(), asked, [x[errors.argmax()] for x in points])
-        # Not far below either: nodes are not wasted.
+        # The error is not far below either, for nodes would be wasted.
         self.assertGreater(errors.max(), asked / 5)
         self.assertEqual(attributes["interpolation_error_asked"], asked)
         self.assertLessEqual(attributes["interpolation_error_reached"], asked)
@@ -34,7 +34,7 @@ class Measured(unittest.TestCase):
         self.check(PTFE, "2%")
 
     def test_narrow_lobes(self):
-        # Fewer random directions: each costs N at its own theta_i.
+        # There are fewer random directions, since each costs N at its own theta_i.
         self.check(MATERIALS / "garnet-red-paint.toml", "10%", 2000)
         self.check(MATERIALS / "yellow-retro-sheeting.toml", "10%", 2000)
 
@@ -83,7 +83,7 @@ class Choice(InFolder):
         for error in ("20%", "5%"):
             with h5py.File(self.make(PTFE, "--interpolation-error", error)) as file:
                 sizes.append(file["brdf"].size)
-        # Linear interpolation along three axes: nodes go with error^-1.5.
+        # With linear interpolation along three axes, the number of nodes goes with error^-1.5.
         self.assertGreater(sizes[1] / sizes[0], 3)
         self.assertLess(sizes[1] / sizes[0], 24)
 

@@ -9,7 +9,7 @@ import unittest
 
 from program import DONE, INTERRUPTED, PROGRAM, SMALL_GRID, VINYL, InFolder, run
 
-# About 4 GB: long enough to be stopped in the middle.
+# The table has about 4 GB, which take long enough to be stopped in the middle.
 LARGE_GRID = ["--theta-i", "0:85:5", "--phi-i", "0:355:5", "--theta-s", "0:89:1", "--phi-s", "0:360:0.04"]
 LARGE_BYTES = 18 * 72 * 90 * 9001 * 4
 
@@ -19,7 +19,7 @@ class Interruption(InFolder):
         command = [PROGRAM, "generate", VINYL, "-o", table, "--force", *LARGE_GRID, *options]
         process = subprocess.Popen(command, stderr=subprocess.PIPE, text=True)
         deadline = time.monotonic() + 120
-        # Signalled once samples have reached the partial file's disk blocks.
+        # The signal comes once samples have reached the partial file's disk blocks.
         while process.poll() is None and time.monotonic() < deadline:
             partial = [f for f in self.folder.iterdir() if f.name.startswith(f".{table.name}.")]
             if partial and partial[0].stat().st_blocks * 512 > 20e6:

@@ -57,7 +57,7 @@ class Storage : public testing::Test {
                     create_hdf5_writer, options);
   }
 
-  // Every sample of both datasets, as stored.
+  // Returns every sample of both datasets as it is stored.
   std::vector<std::byte> samples(const std::string& name, Precision precision) {
     const Hdf5Handle file(H5Fopen((folder_ / name).c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), name);
     std::vector<std::byte> all;
@@ -166,7 +166,8 @@ TEST_F(Storage, RoundedSamplesKeepTheirBound) {
           Real before, after;
           std::memcpy(&before, &exact[at], sizeof before);
           std::memcpy(&after, &rounded[at], sizeof after);
-          // Nearest, ties to even, by the floating-point unit's own rounding of an integer.
+          // The floating-point unit rounds an integer to the nearest, ties to even; it serves as the truth
+          // here.
           int exponent;
           const double mantissa = std::frexp(static_cast<double>(before), &exponent);
           EXPECT_EQ(

@@ -53,7 +53,7 @@ TEST_F(Table, FileHoldsTheDevicesBytes) {
     const fs::path file = folder_ / fmt::format("{}.h5", name_of(precision));
     GenerateOptions options;
     options.polarizations = {Polarization::unpolarized, Polarization::s, Polarization::p};
-    // Slabs of a few rows, so that every way of cutting is taken.
+    // Slabs have a few rows only, so that every way of cutting is taken.
     options.slab_bytes = 50 * bytes_of(precision);
     generate(engine, material, grid, file, create_hdf5_writer, options);
 

@@ -103,7 +103,7 @@ class Interpolation(InFolder):
     def setUp(self):
         super().setUp()
         self.table = self.folder / "table.h5"
-        # No node where f vanishes, and uneven steps.
+        # The grid has no node where f vanishes, and its steps are uneven.
         grid = ["--theta-i", "10,30,45", "--phi-i", "0,20,30", "--theta-s", "5,15,50,60", "--phi-s", "0,40,60,130,180"]
         self.assertEqual(run("generate", VINYL, "-o", self.table, "--precision", "float64", *grid).returncode, DONE)
         result = run("validate", self.table, "--json")
