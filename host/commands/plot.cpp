@@ -50,7 +50,7 @@ Measurement read_data(const std::string& file, const std::string& channel,
 
 ExitStatus run(const Options& options, const CommonOptions& common) {
   const PlotRow& row = row_of(options.kind);
-  PictureFile file(options.output, options.width, options.force);
+  drawing::PictureFile file(options.output, options.width, options.force);
   PlotOptions drawn;
   if (!options.theta_i.empty()) {
     const Axis axis = parse_axis_option(AxisKind::theta_i, options.theta_i);

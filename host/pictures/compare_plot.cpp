@@ -15,21 +15,22 @@ namespace {
 constexpr double shown_incidences[] = {0, 30, 60, 80};
 constexpr double same_angle = 1e-9;
 constexpr double largest_ratio_drawn = 100;
-// Closer than this to 1, a ratio is drawn as what it is off.
+// Where all ratios are closer than this to 1, the ratio minus 1 is drawn.
 constexpr double nearly_one = 1.2;
-// Beyond this theta_s, shadowing may take f to nothing, and ratios of models to anything.
+// Beyond this theta_s, shadowing may bring f so close to 0 that the ratio of two models means nothing.
 constexpr double farthest_compared = 85;  // degrees
 constexpr double least_difference_drawn = 1e-9;
 
 using Nodes = std::vector<double>;
 
+// One of the two that are compared.
 struct Side {
   const Subject& subject;
   std::size_t band;
   Polarization polarization;
-  std::optional<DrawnModel> model;  // of a material
+  std::optional<DrawnModel> model;  // a table has none: its samples are compared
 
-  /// [theta_s][phi]
+  // f in 1/sr, as [theta_s][phi]. A table has to have these nodes.
   std::vector<double> values(double theta_i, const Nodes& theta_s, const Nodes& phi) const {
     std::vector<double> result;
     if (model) {
@@ -76,7 +77,7 @@ Nodes common(const Nodes& a, const Nodes& b) {
   return result;
 }
 
-// The nodes that every table among the two has.
+// The nodes that both have, where both are tables; otherwise those of the one table.
 struct SharedNodes {
   Nodes theta_i, theta_s, phi;
 
@@ -95,6 +96,7 @@ struct SharedNodes {
   }
 };
 
+// The direction where the two differ most.
 struct Worst {
   double logarithm = -1;  // |ln ratio|
   double ratio = 1;
@@ -106,7 +108,7 @@ struct Worst {
   }
 };
 
-// Where both scatter nothing, nothing differs. Not positive where one of them is no positive number.
+// The ratio is 1 where both scatter nothing. Elsewhere it is 0 unless both are positive numbers.
 double ratio_of(double a, double b) {
   if (a == 0 && b == 0) return 1;
   return a > 0 && b > 0 ? a / b : 0;
@@ -147,7 +149,7 @@ Comparison at_nodes(std::span<const Subject> subjects, const Side& a, const Side
   if (options.theta_i) {
     for (const double angle : *options.theta_i) {
       if (std::abs(nearest(angle) - angle) > same_angle)
-        throw BadInput("--theta-i {}: is no node of both; the nearest is {}", shortest(angle),
+        throw BadInput(GivenValue{"theta_i", shortest(angle)}, "is no node of both; the nearest is {}",
                        shortest(nearest(angle)));
       result.theta_i.push_back(angle);
       see(angle, slice_at(angle));
@@ -187,15 +189,15 @@ Comparison everywhere(const Side& a, const Side& b, const PlotOptions& options) 
       return f;
     };
     result.ratios.push_back(HemisphereFigure::pixels().values(theta_i, ratios));
-    // Narrow lobes lie between pixels.
+    // The curve in the plane of incidence finds narrow lobes between the pixels; `ratios` notes what it sees.
     const double angles[] = {theta_i};
     in_plane_curves(angles, ratios);
   }
   return result;
 }
 
-// A symmetric scale around 1, or around 0 for what ratios are off 1.
-ChartAxis scale_for(double largest_logarithm, const std::string& quotient) {
+// A symmetric scale: around 1 for ratios, or around 0 for ratios minus 1.
+drawing::ChartAxis scale_for(double largest_logarithm, const std::string& quotient) {
   const double ratio = std::exp(std::min(largest_logarithm, std::log(largest_ratio_drawn)));
   if (ratio >= nearly_one) {
     double end = 1.5;
@@ -209,7 +211,7 @@ ChartAxis scale_for(double largest_logarithm, const std::string& quotient) {
   return {quotient + " − 1", -end, end, false, end / 2};
 }
 
-std::string worst_text(const Worst& worst, const ChartAxis& scale) {
+std::string worst_text(const Worst& worst, const drawing::ChartAxis& scale) {
   if (worst.logarithm == 0) return "no difference anywhere";
   const std::string size = !(worst.ratio > 0)  ? "one is no positive number"
                            : scale.logarithmic ? fmt::format("ratio {:.4g}", worst.ratio)
@@ -234,7 +236,7 @@ std::string compare_plot(std::span<const Subject> subjects, const PlotOptions& o
   const bool of_nodes = subjects[0].is_table() || subjects[1].is_table();
   const Comparison comparison = of_nodes ? at_nodes(subjects, a, b, options) : everywhere(a, b, options);
   const auto labels = subject_labels(subjects);
-  const ChartAxis scale = scale_for(comparison.worst.logarithm, "f_A / f_B");
+  const drawing::ChartAxis scale = scale_for(comparison.worst.logarithm, "f_A / f_B");
   HemisphereFigure figure{
       .title = "Ratio of two BRDFs over the hemisphere",
       .subtitle = fmt::format("A: {}; B: {}; {}", labels[0], labels[1],
@@ -242,7 +244,7 @@ std::string compare_plot(std::span<const Subject> subjects, const PlotOptions& o
       .footnote = fmt::format("{}, of {} {}", worst_text(comparison.worst, scale), comparison.directions,
                               of_nodes ? "nodes" : "directions up to θ_s = 85°"),
       .scale = scale,
-      .colours = &blue_to_orange,
+      .colours = &drawing::blue_to_orange,
       .columns = comparison.theta_i.size() <= 4 ? 4 : (comparison.theta_i.size() + 1) / 2,
       .maps = {}};
   for (std::size_t k = 0; k < comparison.theta_i.size(); ++k) {

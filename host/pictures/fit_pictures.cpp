@@ -9,8 +9,6 @@
 #include "host/base/angle.hpp"
 #include "host/base/error.hpp"
 #include "host/base/numbers.hpp"
-#include "host/base/partial_file.hpp"
-#include "host/base/whole_file.hpp"
 #include "host/compute/slab.hpp"
 #include "host/model/measurement/measured_light.hpp"
 #include "host/pictures/drawing/matrix_figure.hpp"
@@ -23,21 +21,21 @@ namespace brdftab {
 namespace {
 
 constexpr std::array<double, 2> shown_shadowing{30, 70};
-// A legend holds so many in one column above three notes.
+// A legend holds so many entries in one column above three notes.
 constexpr std::size_t most_incidences = 17;
 
 void write(const std::filesystem::path& path, const std::string& text, bool force) {
-  PartialFile file(path, force);
-  write_whole(file, text);
+  drawing::PictureFile(path, 0, force).write(text);
 }
 
-// Draws the samples in one light.
-Panel fit_panel(const Engine& engine, const FitProblem& problem, std::span<const MeasuredSample> samples,
-                const Parameters& parameters, Chart& chart) {
+// The curves and the measured points for the samples in one light. Notes about them are added to the chart.
+drawing::Panel fit_panel(const Engine& engine, const FitProblem& problem,
+                         std::span<const MeasuredSample> samples, const Parameters& parameters,
+                         drawing::Chart& chart) {
   const std::vector<InPlaneScan> scans = in_plane_scans(samples, problem.incidences());
   std::vector<InPlaneScan> drawn;
   for (const std::size_t k : spread_indices(scans.size(), most_incidences)) drawn.push_back(scans[k]);
-  Panel panel{.title = "", .x = theta_s_axis(), .y = {}};
+  drawing::Panel panel{.title = "", .x = theta_s_axis(), .y = {}};
   if (drawn.empty()) panel.note = "no sample lies in the plane of incidence";
   if (drawn.size() < scans.size())
     chart.notes.push_back(fmt::format("at {} of {} θ_i", drawn.size(), scans.size()));
@@ -62,32 +60,34 @@ Panel fit_panel(const Engine& engine, const FitProblem& problem, std::span<const
 
 std::string fit_picture(const Engine& engine, const FitProblem& problem, const FitBand& band,
                         const Parameters& parameters) {
-  std::map<double, std::vector<MeasuredSample>, std::greater<>> lights;  // by share of s
+  std::map<double, std::vector<MeasuredSample>, std::greater<>>
+      lights;  // keyed by the share of s-polarised light
   for (const MeasuredSample& sample : band.samples) lights[sample.share_s].push_back(sample);
-  Chart chart{.title = "BRDF in the plane of incidence: measured and fitted",
-              .subtitle = "",
-              .legend_title = "incidence θ_i",
-              .notes = {"curves: fitted", "dots: measured"},
-              .colours = Colours::steps,
-              .columns = lights.size(),
-              .panels = {}};
+  drawing::Chart chart{.title = "BRDF in the plane of incidence: measured and fitted",
+                       .subtitle = "",
+                       .legend_title = "incidence θ_i",
+                       .notes = {"curves: fitted", "dots: measured"},
+                       .colours = drawing::Colours::steps,
+                       .columns = lights.size(),
+                       .panels = {}};
   double low = HUGE_VAL;
   double high = 0;
   for (const auto& [share_s, samples] : lights) {
-    Panel panel = fit_panel(engine, problem, samples, parameters, chart);
+    drawing::Panel panel = fit_panel(engine, problem, samples, parameters, chart);
     if (lights.size() > 1) {
       panel.title = light_word(share_s);
       panel.x = narrow_theta_s_axis();
     }
-    for (const Series& series : panel.series)
-      for (const ChartPoint& point : series.points) {
+    for (const drawing::Series& series : panel.series)
+      for (const drawing::ChartPoint& point : series.points) {
         if (!series.dots) continue;
         low = std::min(low, point.y);
         high = std::max(high, point.y);
       }
     chart.panels.push_back(std::move(panel));
   }
-  for (Panel& panel : chart.panels) panel.y = logarithmic_axis(brdf_axis_label, low / 1.5, high * 1.5);
+  for (drawing::Panel& panel : chart.panels)
+    panel.y = drawing::logarithmic_axis(brdf_axis_label, low / 1.5, high * 1.5);
   return chart.svg();
 }
 
@@ -96,19 +96,19 @@ std::string residual_picture(const FitProblem& problem, const FitBand& band,
   const Incidences& settings = problem.incidences();
   double largest = 1e-6;
   for (const double misfit : misfits) largest = std::max(largest, std::abs(misfit));
-  Chart chart{.title = "Residuals of the fit",
-              .subtitle = "θ_s is negative over the whole backward half-space",
-              .legend_title = "incidence θ_i",
-              .notes = {},
-              .colours = Colours::steps,
-              .panels = {}};
-  Panel panel{.title = "",
-              .x = theta_s_axis(),
-              .y = {problem.options().take_sigma() ? "(model − data) / σ" : "ln(model / data)",
-                    -1.1 * largest, 1.1 * largest}};
+  drawing::Chart chart{.title = "Residuals of the fit",
+                       .subtitle = "θ_s is negative over the whole backward half-space",
+                       .legend_title = "incidence θ_i",
+                       .notes = {},
+                       .colours = drawing::Colours::steps,
+                       .panels = {}};
+  drawing::Panel panel{.title = "",
+                       .x = theta_s_axis(),
+                       .y = {problem.options().take_sigma() ? "(model − data) / σ" : "ln(model / data)",
+                             -1.1 * largest, 1.1 * largest}};
   panel.rules.push_back({0, ""});
   const Incidences told_apart = settings.joined(most_incidences);
-  std::vector<std::vector<ChartPoint>> points(told_apart.size());
+  std::vector<std::vector<drawing::ChartPoint>> points(told_apart.size());
   for (std::size_t k = 0; k < misfits.size(); ++k) {
     const auto& pair = band.samples[k].pair;
     const bool backward = std::cos(radians(pair.model_phi())) < 0;
@@ -125,22 +125,22 @@ std::string residual_picture(const FitProblem& problem, const FitBand& band,
 }
 
 std::string shadowing_picture(const Parameters& parameters) {
-  Chart chart{.title = "Masking and shadowing of the reflectance",
-              .subtitle = "",
-              .legend_title = "incidence θ_i",
-              .notes = {},
-              .colours = Colours::steps,
-              .panels = {}};
+  drawing::Chart chart{.title = "Masking and shadowing of the reflectance",
+                       .subtitle = "",
+                       .legend_title = "incidence θ_i",
+                       .notes = {},
+                       .colours = drawing::Colours::steps,
+                       .panels = {}};
   chart.panels.push_back(reflectance_shadowing_panel(parameters, shown_shadowing));
   return chart.svg();
 }
 
-// Puts the symbol of a fitted parameter in the place of its name.
+// What a fitted variable is called in a file, with the symbol of the parameter in place of its name.
 std::string shown_name(const std::string& name) {
   for (const auto& row : parameter_table)
     if (name.starts_with(row.name) && (name.size() == row.name.size() || name[row.name.size()] == ' '))
-      return subscripted(row.symbol) + literal(name.substr(row.name.size()));
-  return literal(name);
+      return drawing::subscripted(row.symbol) + drawing::literal(name.substr(row.name.size()));
+  return drawing::literal(name);
 }
 
 std::string correlation_picture(const FitSummary& summary) {
@@ -153,7 +153,7 @@ std::string correlation_picture(const FitSummary& summary) {
     for (Eigen::Index j = 0; j < covariance.rows(); ++j)
       values.back().push_back(covariance(i, j) / std::sqrt(covariance(i, i) * covariance(j, j)));
   }
-  return matrix_figure("Correlations of the fitted parameters", names, values);
+  return drawing::matrix_figure("Correlations of the fitted parameters", names, values);
 }
 
 }  // namespace

@@ -11,9 +11,9 @@
 namespace brdftab {
 namespace {
 
-constexpr double nearly_in_plane = 3;
-constexpr double nearly_normal = 0.1;
-constexpr double outermost = 89.9;
+constexpr double nearly_in_plane = 3;  // degrees
+constexpr double nearly_normal = 0.1;  // degrees
+constexpr double outermost = 89.9;     // degrees
 
 }  // namespace
 
@@ -42,11 +42,11 @@ std::string not_drawn_note(std::span<const MeasuredSample> samples) {
   return count > 0 ? fmt::format("not drawn: {} at or below 0", count) : "";
 }
 
-ChartAxis theta_s_axis() {
+drawing::ChartAxis theta_s_axis() {
   return {"scatter angle θ_s (degrees; forward side positive)", -90, 90, false, 30};
 }
 
-ChartAxis narrow_theta_s_axis() { return {"θ_s (degrees)", -90, 90, false, 30}; }
+drawing::ChartAxis narrow_theta_s_axis() { return {"θ_s (degrees)", -90, 90, false, 30}; }
 
 std::string incidence_label(double theta_i) { return shortest(theta_i) + "°"; }
 
@@ -54,17 +54,19 @@ std::string incidence_label(double first, double last) {
   return first == last ? incidence_label(first) : shortest(first) + " to " + incidence_label(last);
 }
 
-std::vector<std::vector<ChartPoint>> in_plane_curves(std::span<const double> theta_i, const BrdfAt& brdf) {
+std::vector<std::vector<drawing::ChartPoint>> in_plane_curves(std::span<const double> theta_i,
+                                                              const BrdfAt& brdf) {
   std::vector<std::vector<double>> starts;
   for (const double angle : theta_i) {
     const double peaks[] = {0, angle, -angle};
-    starts.push_back(curve_starts(-outermost, outermost, 1, peaks));
+    starts.push_back(drawing::curve_starts(-outermost, outermost, 1, peaks));
   }
-  return smooth_curves(
+  return drawing::smooth_curves(
       starts,
-      [&](std::span<const CurvePlace> places) {
+      [&](std::span<const drawing::CurvePlace> places) {
         std::vector<DirectionPair> pairs;
-        for (const CurvePlace& place : places) pairs.push_back({theta_i[place.curve], place.x, 0, 0});
+        for (const drawing::CurvePlace& place : places)
+          pairs.push_back({theta_i[place.curve], place.x, 0, 0});
         return brdf(pairs);
       },
       true);

@@ -1,4 +1,4 @@
-// Directions in the plane of incidence: theta_s with the sign of its side, forward positive.
+// The plane of incidence: theta_s there is positive on the forward side and negative on the backward side.
 #pragma once
 
 #include <functional>
@@ -14,39 +14,43 @@
 namespace brdftab {
 
 inline constexpr const char* brdf_axis_label = "BRDF f_r (sr^{−1})";
-inline constexpr double usual_incidences[] = {0,  10, 20, 30, 40,
-                                              50, 60, 70, 80};  // degrees, as the paper's Fig. 3
+/// The angles of incidence in degrees of the paper's Fig. 3.
+inline constexpr double usual_incidences[] = {0, 10, 20, 30, 40, 50, 60, 70, 80};
 
-/// Signed theta_s of a sample, where it is within 3 degrees of azimuth of the plane, or within 0.1 degrees of
-/// the normal.
+/// The signed theta_s in degrees of a direction whose azimuth is within 3 degrees of the plane, or which is
+/// within 0.1 degrees of the normal; none for other directions.
 std::optional<double> in_plane_theta_s(const DirectionPair& pair);
 
-/// What was measured in plane at one setting of theta_i, degrees: f over the signed theta_s.
+/// What was measured in the plane of incidence at one setting of theta_i.
 struct InPlaneScan {
-  double theta_i;
-  std::vector<ChartPoint> points;
+  double theta_i;                           // degrees
+  std::vector<drawing::ChartPoint> points;  // f in 1/sr over the signed theta_s in degrees
 };
 
-/// By increasing theta_i; the samples' angles are among those of `incidences`. Readings at or below 0, which
-/// noise makes, have no place on a logarithmic axis: they are left out.
+/// The scans of a measurement in the order of increasing theta_i. The samples' angles of incidence have to be
+/// among `incidences`. Readings at or below 0, which noise makes, are left out: a logarithmic axis has no
+/// place for them.
 std::vector<InPlaneScan> in_plane_scans(std::span<const MeasuredSample> samples,
                                         const Incidences& incidences);
 
-/// For a chart: how many readings in plane are left out for that; empty where none are.
+/// A chart's note that says how many readings in the plane of incidence are at or below 0; empty where none
+/// is.
 std::string not_drawn_note(std::span<const MeasuredSample> samples);
 
-/// -90 to 90 degrees; with a short name for panels beside each other.
-ChartAxis theta_s_axis();
-ChartAxis narrow_theta_s_axis();
+/// The axis of theta_s from -90 to 90 degrees. The narrow one has a short name for panels beside each other.
+drawing::ChartAxis theta_s_axis();
+drawing::ChartAxis narrow_theta_s_axis();
 
-/// An entry of a legend; of several settings together their first and last.
+/// The legend's text for one theta_i in degrees, or for several settings from the first to the last.
 std::string incidence_label(double theta_i);
 std::string incidence_label(double first, double last);
 
-/// f at directions, in 1/sr.
+/// f in 1/sr at each of some directions.
 using BrdfAt = std::function<std::vector<double>(std::span<const DirectionPair>)>;
 
-/// A smooth curve of f over theta_s from -89.9 to 89.9 degrees for each theta_i, for a logarithmic axis.
-std::vector<std::vector<ChartPoint>> in_plane_curves(std::span<const double> theta_i, const BrdfAt& brdf);
+/// For each theta_i in degrees, a curve of f over theta_s from -89.9 to 89.9 degrees that looks smooth on a
+/// logarithmic axis.
+std::vector<std::vector<drawing::ChartPoint>> in_plane_curves(std::span<const double> theta_i,
+                                                              const BrdfAt& brdf);
 
 }  // namespace brdftab

@@ -14,13 +14,13 @@ namespace brdftab {
 namespace {
 
 constexpr double node_radius = 1.3;
-constexpr double same_incidence = 0.01;  // degrees, of a measured sample and a curve
+constexpr double same_incidence = 0.01;  // degrees; a measured sample this close belongs to a curve
 constexpr std::size_t most_measured = 9;
-// Below the weakest total; what lies deeper of a lobe does not matter to f.
+// The axis of lobes goes down so many decades below the weakest total: what is weaker does not matter to f.
 constexpr double lobe_decades = 2;
 
-// Beyond this theta_s, shadowing may take f to nothing, and curves leave through the axis.
-constexpr double farthest_low = 80;
+// Beyond this theta_s, shadowing may bring f close to 0: the axis does not follow it there.
+constexpr double farthest_low = 80;  // degrees
 
 using Scans = std::vector<InPlaneScan>;
 
@@ -36,7 +36,9 @@ std::vector<double> incidences(const Subject& subject, const PlotOptions& option
   return angles;
 }
 
-std::vector<ChartPoint> at_incidence(const Scans& measured, double theta_i, double width) {
+// The points of the scan that is nearest to theta_i; none where it is further than half the width
+// of a setting.
+std::vector<drawing::ChartPoint> at_incidence(const Scans& measured, double theta_i, double width) {
   const auto distance = [&](const InPlaneScan& scan) { return std::abs(scan.theta_i - theta_i); };
   const auto nearest = std::min_element(measured.begin(), measured.end(), [&](const auto& a, const auto& b) {
     return distance(a) < distance(b);
@@ -45,42 +47,42 @@ std::vector<ChartPoint> at_incidence(const Scans& measured, double theta_i, doub
   return nearest->points;
 }
 
-ChartAxis axis_around(const std::vector<Panel>& panels) {
+drawing::ChartAxis axis_around(const std::vector<drawing::Panel>& panels) {
   double low = HUGE_VAL, high = 0;
-  for (const Panel& panel : panels)
-    for (const Series& series : panel.series)
-      for (const ChartPoint& point : series.points) {
+  for (const drawing::Panel& panel : panels)
+    for (const drawing::Series& series : panel.series)
+      for (const drawing::ChartPoint& point : series.points) {
         high = std::max(high, point.y);
         if (point.y > 0 && std::abs(point.x) <= farthest_low) low = std::min(low, point.y);
       }
-  return logarithmic_axis(brdf_axis_label, low, high);
+  return drawing::logarithmic_axis(brdf_axis_label, low, high);
 }
 
-Chart in_plane_chart(std::span<const Subject> subjects, const PlotOptions& options,
-                     const LazyEngine& engine) {
+drawing::Chart in_plane_chart(std::span<const Subject> subjects, const PlotOptions& options,
+                              const LazyEngine& engine) {
   const Polarization polarization = drawn_polarization(subjects, options);
   const Scans measured =
       options.data ? in_plane_scans(options.data->samples, options.data->incidences()) : Scans{};
   if (options.data && measured.empty())
     throw BadInput("{}: no sample lies in the plane of incidence", options.data->source);
-  Chart chart{.title = picture_title(subjects, "BRDF in the plane of incidence"),
-              .subtitle = light_text(subjects[0], options, polarization),
-              .legend_title = "incidence θ_i",
-              .notes = {},
-              .colours = Colours::steps,
-              .columns = 2,
-              .panels = {}};
+  drawing::Chart chart{.title = picture_title(subjects, "BRDF in the plane of incidence"),
+                       .subtitle = light_text(subjects[0], options, polarization),
+                       .legend_title = "incidence θ_i",
+                       .notes = {},
+                       .colours = drawing::Colours::steps,
+                       .columns = 2,
+                       .panels = {}};
   const auto labels = subject_labels(subjects);
   bool any_table = false;
-  std::size_t shown = 0;  // incidences of the measurement
+  std::size_t shown = 0;  // counts the scans that are drawn
   for (std::size_t k = 0; k < subjects.size(); ++k) {
     const Subject& subject = subjects[k];
     const std::size_t band = subject.band(options.wavelength_nm);
     const auto theta_i = incidences(subject, options, measured);
     const DrawnModel model(engine(), subject, band, polarization);
-    Panel panel{.title = subjects.size() > 1 ? labels[k] : "",
-                .x = subjects.size() > 1 ? narrow_theta_s_axis() : theta_s_axis(),
-                .y = {}};
+    drawing::Panel panel{.title = subjects.size() > 1 ? labels[k] : "",
+                         .x = subjects.size() > 1 ? narrow_theta_s_axis() : theta_s_axis(),
+                         .y = {}};
     const auto curves =
         in_plane_curves(theta_i, [&](std::span<const DirectionPair> pairs) { return model.brdf(pairs); });
     for (std::size_t i = 0; i < theta_i.size(); ++i) panel.line(incidence_label(theta_i[i]), curves[i]);
@@ -107,8 +109,8 @@ Chart in_plane_chart(std::span<const Subject> subjects, const PlotOptions& optio
     if (shown < measured.size())
       chart.notes.push_back(fmt::format("at {} of {} θ_i", shown, measured.size()));
   }
-  const ChartAxis y = axis_around(chart.panels);
-  for (Panel& panel : chart.panels) panel.y = y;
+  const drawing::ChartAxis y = axis_around(chart.panels);
+  for (drawing::Panel& panel : chart.panels) panel.y = y;
   return chart;
 }
 
@@ -121,7 +123,7 @@ std::string in_plane_plot(std::span<const Subject> subjects, const PlotOptions& 
 
 std::string polar_plot(std::span<const Subject> subjects, const PlotOptions& options,
                        const LazyEngine& engine) {
-  Chart chart = in_plane_chart(subjects, options, engine);
+  drawing::Chart chart = in_plane_chart(subjects, options, engine);
   chart.polar = true;
   chart.columns = 1;
   chart.panel_height = 300;
@@ -132,25 +134,25 @@ std::string polar_plot(std::span<const Subject> subjects, const PlotOptions& opt
 std::string lobes_plot(std::span<const Subject> subjects, const PlotOptions& options,
                        const LazyEngine& engine) {
   const Polarization polarization = drawn_polarization(subjects, options);
-  Chart chart{.title = picture_title(subjects, "BRDF in the plane of incidence, by lobe"),
-              .subtitle = light_text(subjects[0], options, polarization),
-              .legend_title = "incidence θ_i",
-              .notes = {},
-              .colours = Colours::steps,
-              .columns = 2,
-              .panels = {}};
+  drawing::Chart chart{.title = picture_title(subjects, "BRDF in the plane of incidence, by lobe"),
+                       .subtitle = light_text(subjects[0], options, polarization),
+                       .legend_title = "incidence θ_i",
+                       .notes = {},
+                       .colours = drawing::Colours::steps,
+                       .columns = 2,
+                       .panels = {}};
   const auto labels = subject_labels(subjects);
-  std::vector<Panel> totals;
+  std::vector<drawing::Panel> totals;
   for (std::size_t k = 0; k < subjects.size(); ++k) {
     const DrawnModel model(engine(), subjects[k], subjects[k].band(options.wavelength_nm), polarization);
     const auto theta_i = incidences(subjects[k], options, {});
     const auto add = [&](std::string_view name, const auto& values) {
-      Panel panel{.title = std::string(name), .x = narrow_theta_s_axis(), .y = {}};
+      drawing::Panel panel{.title = std::string(name), .x = narrow_theta_s_axis(), .y = {}};
       const auto curves = in_plane_curves(theta_i, values);
       bool scatters = false;
       for (std::size_t i = 0; i < theta_i.size(); ++i) {
         scatters |= std::any_of(curves[i].begin(), curves[i].end(),
-                                [](const ChartPoint& point) { return point.y > 0; });
+                                [](const drawing::ChartPoint& point) { return point.y > 0; });
         panel.line(incidence_label(theta_i[i]), curves[i]);
       }
       if (!scatters) {
@@ -162,19 +164,20 @@ std::string lobes_plot(std::span<const Subject> subjects, const PlotOptions& opt
     add("all lobes", [&](std::span<const DirectionPair> pairs) { return model.brdf(pairs); });
     if (subjects.size() > 1) chart.panels.back().heading = labels[k];
     totals.push_back(chart.panels.back());
-    for (const Lobe lobe : {Lobe::surface, Lobe::bulk, Lobe::retro})
-      add(fmt::format("{} lobe", lobe_names[static_cast<std::size_t>(lobe)]),
-          [&](std::span<const DirectionPair> pairs) { return model.brdf(lobe, pairs); });
+    for (std::size_t lobe = 0; lobe < lobe_names.size(); ++lobe)
+      add(fmt::format("{} lobe", lobe_names[lobe]),
+          [&](std::span<const DirectionPair> pairs) { return model.brdf(static_cast<Lobe>(lobe), pairs); });
   }
-  const ChartAxis around = axis_around(totals);
-  const ChartAxis y =
-      logarithmic_axis(around.label, around.low * std::pow(10, -lobe_decades), around.high / 1.06, 9);
-  for (Panel& panel : chart.panels) {
+  const drawing::ChartAxis around = axis_around(totals);
+  const drawing::ChartAxis y = drawing::logarithmic_axis(
+      around.label, around.low * std::pow(10, -lobe_decades), around.high / 1.06, 9);
+  for (drawing::Panel& panel : chart.panels) {
     panel.y = y;
-    const bool seen = std::any_of(panel.series.begin(), panel.series.end(), [&](const Series& series) {
-      return std::any_of(series.points.begin(), series.points.end(),
-                         [&](const ChartPoint& p) { return p.y > y.low; });
-    });
+    const bool seen =
+        std::any_of(panel.series.begin(), panel.series.end(), [&](const drawing::Series& series) {
+          return std::any_of(series.points.begin(), series.points.end(),
+                             [&](const drawing::ChartPoint& p) { return p.y > y.low; });
+        });
     if (!panel.series.empty() && !seen) panel.note = "below the axis";
   }
   return chart.svg();

@@ -5,6 +5,7 @@
 
 #include "host/base/error.hpp"
 #include "host/base/numbers.hpp"
+#include "host/model/measurement/measured_light.hpp"
 #include "host/pictures/drawing/svg.hpp"
 
 namespace brdftab {
@@ -17,23 +18,22 @@ constexpr std::size_t most_incidences = 9;
 
 std::string plot(const PlotRow& row, std::span<const Subject> subjects, const PlotOptions& options,
                  const LazyEngine& engine) {
-  const bool compares = row.plot == compare_plot;
-  if (compares && subjects.size() != 2)
-    throw BadInput("--kind compare: takes two tables or materials, not {}", subjects.size());
+  if (row.plot == compare_plot && subjects.size() != 2)
+    throw BadInput(GivenValue{"kind", row.name}, "takes two tables or materials, not {}", subjects.size());
   if (subjects.size() > most_subjects)
-    throw BadInput("--kind {}: takes at most {} tables or materials, not {}", row.name, most_subjects,
-                   subjects.size());
+    throw BadInput(GivenValue{"kind", row.name}, "takes at most {} tables or materials, not {}",
+                   most_subjects, subjects.size());
   if (options.theta_i && options.theta_i->size() > most_incidences)
-    throw BadInput("--theta-i: {} angles; a picture shows at most {}", options.theta_i->size(),
+    throw BadInput("`theta_i`: {} angles; a picture shows at most {}", options.theta_i->size(),
                    most_incidences);
-  if (options.theta_i && row.plot == dhr_plot) throw BadInput("--theta-i: DHR is drawn against all theta_i");
+  if (options.theta_i && row.plot == dhr_plot) throw BadInput("`theta_i`: DHR is drawn against all theta_i");
   if (options.polarization && (row.plot == dhr_plot || row.plot == shadowing_plot))
-    throw BadInput("--polarization: {}",
+    throw BadInput("`polarization`: {}",
                    row.plot == dhr_plot ? "DHR is drawn for every one" : "shadowing does not depend on it");
   if (options.data && row.plot != in_plane_plot && row.plot != polar_plot)
-    throw BadInput("--data: is shown by --kind inplane and polar, not by {}", row.name);
+    throw BadInput("`data`: is shown by `kind` inplane and polar, not by {}", row.name);
   if (options.data && subjects.size() != 1)
-    throw BadInput("--data: is shown on one material or table, not on {}", subjects.size());
+    throw BadInput("`data`: is shown on one material or table, not on {}", subjects.size());
   return row.plot(subjects, options, engine);
 }
 
@@ -49,8 +49,9 @@ Polarization drawn_polarization(std::span<const Subject> subjects, const PlotOpt
     const auto at = std::find_if(subjects.begin(), subjects.end(), lacks);
     if (at == subjects.end()) return polarization;
     if (options.polarization)
-      throw BadInput("--polarization {}: {} does not hold it",
-                     polarization_names[static_cast<std::size_t>(polarization)], at->file());
+      throw BadInput(
+          GivenValue{"polarization", std::string(polarization_names[static_cast<std::size_t>(polarization)])},
+          "{} does not hold it", at->file());
   }
   throw BadInput("the tables have no polarisation in common");
 }
@@ -69,7 +70,7 @@ std::vector<std::string> subject_labels(std::span<const Subject> subjects) {
   const auto only_name = is_only_one([](const Subject& subject) { return subject.name(); });
   const auto only_file_name = is_only_one(file_name);
   for (const Subject& subject : subjects)
-    labels.push_back(literal(excerpt(
+    labels.push_back(drawing::literal(excerpt(
         only_name(subject) ? subject.name()
                            : fmt::format("{} ({})", subject.name(),
                                          only_file_name(subject) ? file_name(subject) : subject.file()),
@@ -78,17 +79,15 @@ std::vector<std::string> subject_labels(std::span<const Subject> subjects) {
 }
 
 std::string picture_title(std::span<const Subject> subjects, std::string_view title) {
-  return subjects.size() == 1 ? fmt::format("{}: {}", literal(excerpt(subjects[0].name(), 60)), title)
-                              : std::string(title);
+  return subjects.size() == 1
+             ? fmt::format("{}: {}", drawing::literal(excerpt(subjects[0].name(), 60)), title)
+             : std::string(title);
 }
 
 std::string light_text(const Subject& subject, const PlotOptions& options,
                        std::optional<Polarization> polarization) {
   std::string text;
-  if (polarization)
-    text = *polarization == Polarization::unpolarized
-               ? "unpolarised light"
-               : fmt::format("{}-polarised light", polarization == Polarization::s ? "s" : "p");
+  if (polarization) text = fmt::format("{} light", light_word(share_s(*polarization)));
   if (subject.material().has_wavelengths())
     text +=
         fmt::format("{}{} nm", text.empty() ? "" : ", ",

@@ -1,4 +1,4 @@
-// The pictures of a material or a table, each as the text of an SVG file.
+// The pictures of materials and tables. Each is the text of an SVG file.
 #pragma once
 
 #include <functional>
@@ -13,39 +13,40 @@
 namespace brdftab {
 
 struct PlotOptions {
-  /// Degrees; none: those that suit the kind of picture.
+  /// Angles of incidence in degrees; where there are none, the kind of picture chooses them.
   std::optional<std::vector<double>> theta_i;
-  /// None: unpolarised, or what a table has instead.
+  /// Where it is not set, pictures are for unpolarised light, or for the light that a table has instead.
   std::optional<Polarization> polarization;
-  /// Of a material with bands; none: the first band.
+  /// Chooses a band of a material with bands; where it is not set, the first one is drawn.
   std::optional<double> wavelength_nm;
-  /// One channel, drawn as points on curves in the plane of incidence.
+  /// A measurement of one channel, which is drawn as points over the curves in the plane of incidence.
   std::optional<Measurement> data;
 };
 
-/// The device's engine, built when a picture first needs it.
+/// Returns the device's engine, and builds it when a picture first needs it.
 using LazyEngine = std::function<const Engine&()>;
 
 using Plot = std::string (*)(std::span<const Subject> subjects, const PlotOptions& options,
                              const LazyEngine& engine);
 
-/// f against theta_s in the plane of incidence, one curve for each theta_i, as the paper's Fig. 3; the nodes
-/// of a table, and measured points, as dots.
+/// Draws f against theta_s in the plane of incidence, one curve for each theta_i, as the paper's Fig. 3. The
+/// nodes of a table, or measured points, are dots.
 std::string in_plane_plot(std::span<const Subject>, const PlotOptions&, const LazyEngine&);
-/// The same with theta_s as the angle and log f as the radius.
+/// Draws the same in polar form: theta_s is the angle and log f the radius.
 std::string polar_plot(std::span<const Subject>, const PlotOptions&, const LazyEngine&);
-/// f and its parts, the surface, bulk and retro lobes, in the plane of incidence.
+/// Draws f, and the part of each lobe in it, in the plane of incidence.
 std::string lobes_plot(std::span<const Subject>, const PlotOptions&, const LazyEngine&);
-/// f over the hemisphere in direction cosines: of a table its own nodes, of a material the model.
+/// Draws f over the hemisphere in direction cosines: the nodes of a table, or the model of a material.
 std::string hemisphere_plot(std::span<const Subject>, const PlotOptions&, const LazyEngine&);
-/// V_m against theta_s, as the paper's Fig. 2, and V(chi).
+/// Draws V_m against theta_s, as the paper's Fig. 2, and V(chi).
 std::string shadowing_plot(std::span<const Subject>, const PlotOptions&, const LazyEngine&);
-/// DHR and its lobes against theta_i for unpolarised, s- and p-polarised light.
+/// Draws DHR, and the part of each lobe in it, against theta_i for unpolarised, s- and p-polarised light.
 std::string dhr_plot(std::span<const Subject>, const PlotOptions&, const LazyEngine&);
-/// The ratio of f of two subjects over the hemisphere: at the nodes that tables share, and for materials
-/// everywhere.
+/// Draws the ratio of f of two subjects over the hemisphere. Two materials are compared everywhere; where a
+/// table is among the two, they are compared at the nodes that both have.
 std::string compare_plot(std::span<const Subject>, const PlotOptions&, const LazyEngine&);
 
+/// A kind of picture.
 struct PlotRow {
   const char* name;
   const char* summary;
@@ -62,20 +63,21 @@ inline constexpr PlotRow plot_table[] = {
     {"compare", "the ratio of f of two tables or materials", compare_plot},
 };
 
-/// Throws BadInput where data cannot be shown, or subjects are too many or too few for the kind.
+/// Draws a picture of one kind. Throws BadInput where this kind does not take a setting, or where there are
+/// too many or too few subjects for it.
 std::string plot(const PlotRow& row, std::span<const Subject> subjects, const PlotOptions& options,
                  const LazyEngine& engine);
 
-/// Of the light in a picture. Throws BadInput where a table does not have what is asked.
+/// The polarisation of the light in a picture. Throws BadInput where a table does not have what is asked for.
 Polarization drawn_polarization(std::span<const Subject> subjects, const PlotOptions& options);
 
-/// Names that tell subjects apart: the materials', with files where those are the same.
+/// A name for each subject: its material's, with the file added where several materials have the same name.
 std::vector<std::string> subject_labels(std::span<const Subject> subjects);
 
-/// `TITLE of NAME`, or TITLE where there are several.
+/// "NAME: TITLE" for one subject, TITLE alone for several.
 std::string picture_title(std::span<const Subject> subjects, std::string_view title);
 
-/// "unpolarised, 550 nm" and the like.
+/// What a subtitle says of the light: "unpolarised light, 550 nm" and the like.
 std::string light_text(const Subject& subject, const PlotOptions& options,
                        std::optional<Polarization> polarization);
 

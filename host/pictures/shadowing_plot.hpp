@@ -1,4 +1,4 @@
-// V_m as a panel, for pictures of materials and of fits.
+// The panel of V_m that the pictures of materials and those of fits share.
 #pragma once
 
 #include <span>
@@ -8,7 +8,7 @@
 
 namespace brdftab {
 
-/// V_m in the plane of incidence against theta_s, one curve for each theta_i in degrees.
-Panel reflectance_shadowing_panel(const Parameters& parameters, std::span<const double> theta_i);
+/// Draws V_m of Eq. (13) against theta_s in the plane of incidence, one curve for each theta_i in degrees.
+drawing::Panel reflectance_shadowing_panel(const Parameters& parameters, std::span<const double> theta_i);
 
 }  // namespace brdftab

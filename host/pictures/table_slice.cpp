@@ -10,8 +10,8 @@
 namespace brdftab {
 namespace {
 
-constexpr double same_angle = 1e-9;
-constexpr double widest_gap = 90;
+constexpr double same_angle = 1e-9;  // degrees
+constexpr double widest_gap = 90;    // degrees
 constexpr std::size_t most_nodes = 1 << 27;
 
 std::vector<double> azimuths(const Grid& grid) {
@@ -46,7 +46,7 @@ TableSlice TableSlice::read(const Subject& subject, std::size_t theta_i, std::si
 TableSlice::TableSlice(std::vector<double> theta_s, std::vector<double> phi, std::vector<double> values)
     : theta_s_(std::move(theta_s)), phi_(std::move(phi)), values_(std::move(values)) {
   for (std::size_t k = 0; k < phi_.size(); ++k) circle_.push_back({in_circle(phi_[k]), k});
-  // A node beats the image of another one.
+  // The images in the plane of incidence come last, so that a node of its own has the place before an image.
   for (std::size_t k = 0; k < phi_.size(); ++k) circle_.push_back({in_circle(-phi_[k]), k});
   std::stable_sort(circle_.begin(), circle_.end(),
                    [](const Azimuth& a, const Azimuth& b) { return a.phi < b.phi - same_angle; });
@@ -100,8 +100,8 @@ std::vector<double> TableSlice::at_pixels() const {
   });
 }
 
-std::vector<ChartPoint> TableSlice::in_plane() const {
-  std::vector<ChartPoint> points;
+std::vector<drawing::ChartPoint> TableSlice::in_plane() const {
+  std::vector<drawing::ChartPoint> points;
   for (const auto& [phi, sign] : {std::pair{180.0, -1.0}, {0.0, 1.0}}) {
     const auto at = std::find_if(circle_.begin(), circle_.end(),
                                  [&](const Azimuth& a) { return std::abs(a.phi - phi) <= same_angle; });
@@ -109,7 +109,8 @@ std::vector<ChartPoint> TableSlice::in_plane() const {
     for (std::size_t row = 0; row < theta_s_.size(); ++row)
       if (theta_s_[row] > 0 || sign > 0) points.push_back({sign * theta_s_[row], value(row, at->column)});
   }
-  std::sort(points.begin(), points.end(), [](const ChartPoint& a, const ChartPoint& b) { return a.x < b.x; });
+  std::sort(points.begin(), points.end(),
+            [](const drawing::ChartPoint& a, const drawing::ChartPoint& b) { return a.x < b.x; });
   return points;
 }
 

@@ -1,4 +1,4 @@
-// One hemisphere of scatter directions of a table: its own nodes at one angle of incidence.
+// The samples of a table over the hemisphere of scatter directions at one angle of incidence.
 #pragma once
 
 #include <vector>
@@ -8,48 +8,51 @@
 
 namespace brdftab {
 
-/// An azimuth in degrees, in [0, 360).
+/// The azimuth in [0, 360) degrees that is the same direction.
 double in_circle(double phi);
 
-/// Whether a table's azimuths, at its first phi_i, go round as TableSlice::is_round says.
+/// Whether TableSlice::is_round holds for the azimuths of a table at its first phi_i.
 bool has_hemispheres(const Grid& grid);
 
 class TableSlice {
  public:
-  /// At the first phi_i. Throws BadInput where a hemisphere has more nodes than can be drawn.
+  /// Reads the hemisphere at the first phi_i; `theta_i` is a node's index. Throws BadInput where it has more
+  /// nodes than can be drawn.
   static TableSlice read(const Subject& subject, std::size_t theta_i, std::size_t band,
                          Polarization polarization);
 
-  /// Values [theta_s][phi] over nodes in degrees: theta_s increases, phi = phi_s - phi_i in any order.
+  /// The values lie as [theta_s][phi]. The nodes are in degrees: theta_s increases, and phi = phi_s - phi_i
+  /// is in any order.
   TableSlice(std::vector<double> theta_s, std::vector<double> phi, std::vector<double> values);
 
   const std::vector<double>& theta_s() const { return theta_s_; }
   const std::vector<double>& phi() const { return phi_; }
   double value(std::size_t theta_s, std::size_t phi) const { return values_[theta_s * phi_.size() + phi]; }
 
-  /// Whether its azimuths, with their mirror images in the plane of incidence, leave no gap above 90 degrees.
+  /// Whether the azimuths, together with their mirror images in the plane of incidence, leave no gap above 90
+  /// degrees.
   bool is_round() const;
 
-  /// Between nodes, linear in ln f; across the plane of incidence where nodes are missing, f being even in
-  /// phi. nan beyond the nodes.
+  /// The value at a direction in degrees: linear in ln f between the nodes, nan beyond them. Where an azimuth
+  /// has no node, its mirror image serves, because f is even in phi.
   double at(double theta_s, double phi) const;
 
-  /// The same at the pixels of a HemisphereFigure; the last theta_s reaches to the rim if it is within a
-  /// pixel of it.
+  /// The values at the pixels of a HemisphereFigure. The last node of theta_s serves one pixel beyond itself,
+  /// so that a table which ends near 90 degrees fills the disc.
   std::vector<double> at_pixels() const;
 
-  /// The nodes in the plane of incidence, theta_s negative on the backward side.
-  std::vector<ChartPoint> in_plane() const;
+  /// The nodes in the plane of incidence over theta_s in degrees, which is negative on the backward side.
+  std::vector<drawing::ChartPoint> in_plane() const;
 
  private:
-  // An azimuth in [0, 360] and the node that has its value.
+  // An azimuth in [0, 360] degrees and the column of the node that has its value.
   struct Azimuth {
     double phi;
     std::size_t column;
   };
 
   std::vector<double> theta_s_, phi_, values_;
-  std::vector<Azimuth> circle_;  // the first again at its end, 360 degrees on
+  std::vector<Azimuth> circle_;  // ends with the first azimuth again, 360 degrees further
 };
 
 }  // namespace brdftab

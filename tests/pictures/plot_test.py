@@ -101,6 +101,14 @@ class Files(Drawing):
             self.assertGreater(len(image.convert("RGB").getcolors(1 << 20)), 50)
             self.assertEqual(image.convert("RGB").getpixel((2, 2)), (255, 255, 255))
 
+    def test_name_in_the_metadata(self):
+        material = self.folder / "quoted.toml"
+        name = 'a "b" \\ <c> & é'
+        material.write_text(VINYL.read_text().replace('name = "brown vinyl"', f"name = '{name}'"))
+        for kind in KINDS:
+            with self.subTest(kind):
+                self.assertTrue(self.picture(material, "--kind", kind).data["title"].startswith(f"{name}: "))
+
     def test_needs_no_display_and_no_network(self):
         result = run("plot", VINYL, "-o", self.folder / "a.png", DISPLAY=None, WAYLAND_DISPLAY=None)
         self.assertEqual(result.returncode, DONE, result.stderr)

@@ -1,4 +1,4 @@
-// A chart: panels of lines and dots, one legend for all.
+// A chart: panels of lines and dots, which share one legend.
 #pragma once
 
 #include <string>
@@ -6,16 +6,16 @@
 
 #include "host/pictures/drawing/frame.hpp"
 
-namespace brdftab {
+namespace brdftab::drawing {
 
 struct Series {
-  std::string label;  // series of one label share a colour and an entry of the legend
+  std::string label;  // series with the same label share a colour and an entry of the legend
   std::vector<ChartPoint> points;
   bool dots = false;
-  double size = 1.6;  // width of a line, radius of dots
+  double size = 1.6;  // the width of a line, or the radius of dots, in user units
 };
 
-/// A horizontal line at a value of y, with a name.
+/// A dashed horizontal line with a name at a value of y.
 struct Rule {
   double y;
   std::string label;
@@ -26,8 +26,8 @@ struct Panel {
   ChartAxis x, y;
   std::vector<Series> series;
   std::vector<Rule> rules;
-  std::string note;     // in the middle of an empty panel
-  std::string heading;  // above the row of panels that this one begins
+  std::string note;     // stands in the middle of an empty panel
+  std::string heading;  // stands above the row of panels that this one begins
 
   void line(std::string label, std::vector<ChartPoint> points) {
     series.push_back({std::move(label), std::move(points)});
@@ -37,23 +37,25 @@ struct Panel {
   }
 };
 
-/// What the colours of a chart tell apart.
+/// What the colours of a chart tell apart: kinds of thing, or steps of one quantity.
 enum class Colours { categories, steps };
 
 struct Chart {
-  std::string title;     // as Svg::text takes it, like all texts of a chart
-  std::string subtitle;  // smaller, below
+  std::string title;  // Svg::text tells how this and all other texts of a chart are written
+  std::string subtitle;
   std::string legend_title;
-  std::vector<std::string> notes;  // below the legend's entries
+  std::vector<std::string> notes;  // stand below the entries of the legend
   Colours colours = Colours::categories;
   bool polar = false;
   std::size_t columns = 1;
-  double panel_width = 0;  // 0: so that the chart is about 760 wide
+  // Sizes of a panel are in user units. The width 0 makes the chart about 760 wide; the height 0 suits the
+  // number of panels.
+  double panel_width = 0;
   double panel_height = 0;
   std::vector<Panel> panels;
 
-  /// The file; its metadata hold every panel's axes and series as JSON, at nine digits.
+  /// The text of an SVG file. Its metadata hold the axes and the series of each panel as JSON.
   std::string svg() const;
 };
 
-}  // namespace brdftab
+}  // namespace brdftab::drawing

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-namespace brdftab {
+namespace brdftab::drawing {
 namespace {
 
 constexpr double slack = 1e-9;
@@ -24,7 +24,8 @@ double round_step(double rough) {
 
 std::vector<Tick> linear_ticks(const ChartAxis& axis) {
   const double step = axis.step > 0 ? axis.step : round_step((axis.high - axis.low) / 6);
-  // 30 degrees in thirds, 0.2 in quarters, 0.1 or 0.5 in fifths.
+  // Small ticks divide a given step, such as 30 degrees, into thirds; a step of 2 into quarters, 1 or 5 into
+  // fifths.
   const double mantissa = step / std::pow(10, std::floor(std::log10(step) + slack));
   const int parts = axis.step > 0 ? 3 : std::abs(mantissa - 2) < slack ? 4 : 5;
   std::vector<Tick> result;
@@ -57,7 +58,8 @@ std::vector<Tick> logarithmic_ticks(const ChartAxis& axis) {
   return linear_ticks({axis.label, axis.low, axis.high});
 }
 
-// The next of ..., 0.1, 0.2, 0.5, 1, ... at or below a value, or at or above it.
+// The ends of axes are 1, 2 or 5 times a power of ten: this is the nearest one at or above a value, or at or
+// below it.
 double round_end(double value, bool above) {
   const double power = std::pow(10, std::floor(std::log10(value) + slack));
   const double mantissa = value / power;
@@ -100,4 +102,4 @@ std::string number_label(double value) {
   return value < 0 ? "−" + text : text;
 }
 
-}  // namespace brdftab
+}  // namespace brdftab::drawing

@@ -7,14 +7,14 @@
 
 #include "host/base/angle.hpp"
 
-namespace brdftab {
+namespace brdftab::drawing {
 namespace {
 
 constexpr double long_tick = 5;
 constexpr double short_tick = 3;
 constexpr double number_size = 12;
 constexpr double name_size = 13;
-constexpr double least_gap = 18;  // between numbers along a ray
+constexpr double least_gap = 18;  // between the numbers of a radius
 
 }  // namespace
 
@@ -84,7 +84,7 @@ void PolarFrame::draw(Svg& svg, const Shown& shown) const {
     if (tick.label.empty()) continue;
     const double radius = radius_ * y_.position(tick.value);
     if (radius > 1 && radius < radius_ - 1) arc(radius, inks::grid);
-    // Above the line of the surface on both sides: the numbers of a logarithmic radius, where they have room.
+    // The numbers stand below the line of the surface, on both sides, where they do not touch each other.
     if (!shown.y || last - radius < std::max(least_gap, text_width(tick.label, number_size) + 8)) continue;
     last = radius;
     svg.line(origin_.x + radius, origin_.y, origin_.x + radius, origin_.y + long_tick, inks::frame);
@@ -98,4 +98,4 @@ void PolarFrame::draw(Svg& svg, const Shown& shown) const {
   if (shown.y) svg.text(origin_.x, origin_.y + 39, y_.label, {.size = name_size});
 }
 
-}  // namespace brdftab
+}  // namespace brdftab::drawing

@@ -1,28 +1,27 @@
-// Where values lie on the page: a rectangle of two axes, or half a disc of an angle and a radius.
+// A frame turns values into places on the page: a rectangle has two axes, half a disc an angle and a radius.
 #pragma once
 
 #include "host/pictures/drawing/chart_axis.hpp"
 #include "host/pictures/drawing/svg.hpp"
 
-namespace brdftab {
+namespace brdftab::drawing {
 
 struct ChartPoint {
   double x;
   double y;
 };
 
-/// Which axes of a panel show their numbers and names; panels beside each other may share them.
+/// Which axes of a panel show their numbers and names: panels beside each other may share them.
 struct Shown {
   bool x = true;
   bool y = true;
 };
 
-/// Rectangular axes.
 class RectangularFrame {
  public:
   RectangularFrame(const Box& box, const ChartAxis& x, const ChartAxis& y) : box_(box), x_(x), y_(y) {}
 
-  /// In user units; values beyond an axis lie beyond the box.
+  /// The place of a point in user units. It is outside the box where the point is beyond an axis.
   ChartPoint place(const ChartPoint& point) const;
   void draw(Svg& svg, const Shown& shown) const;
   void clip(Svg& svg) const { svg.clip_to(box_); }
@@ -32,8 +31,8 @@ class RectangularFrame {
   ChartAxis x_, y_;
 };
 
-/// x is an angle from the normal in degrees, -90 (left) to 90; y is the radius from the middle of the lower
-/// side, which is 0 where y is at or below the low end of its axis.
+/// x is an angle from the normal in degrees, from -90 on the left to 90 on the right. y is the distance from
+/// the middle of the lower side, where everything lies that is at or below the low end of the axis of y.
 class PolarFrame {
  public:
   PolarFrame(const Box& box, const ChartAxis& x, const ChartAxis& y);
@@ -49,8 +48,8 @@ class PolarFrame {
   ChartPoint origin_;
 };
 
-/// Space that the numbers and names of an axis take beside a frame.
+/// The numbers and the name of an axis take this space beside a frame, in user units.
 inline constexpr double x_axis_space = 46;
 inline constexpr double y_axis_space = 64;
 
-}  // namespace brdftab
+}  // namespace brdftab::drawing

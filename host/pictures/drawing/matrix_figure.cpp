@@ -7,14 +7,14 @@
 
 #include "host/pictures/drawing/svg.hpp"
 
-namespace brdftab {
+namespace brdftab::drawing {
 namespace {
 
 constexpr double cell = 38;
 constexpr double margin = 14;
 constexpr double name_size = 13;
 constexpr double head = 44;
-constexpr double strong = 0.62;  // above it, a cell is too dark for black digits
+constexpr double strong = 0.62;  // beyond this value a cell is too dark for black digits
 
 constexpr Ink on_dark{{255, 255, 255}, {255, 255, 255}};
 constexpr Ink on_light{{20, 20, 20}, {20, 20, 20}};
@@ -48,4 +48,4 @@ std::string matrix_figure(const std::string& title, const std::vector<std::strin
   return svg.document(plain_text(title));
 }
 
-}  // namespace brdftab
+}  // namespace brdftab::drawing

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace brdftab {
+namespace brdftab::drawing {
 namespace {
 
 constexpr std::array<Rgb, 33> viridis_stops{
@@ -80,7 +80,7 @@ std::string dash_of(std::size_t k) { return dashes[k / categories.size() % dashe
 
 Ink step_ink(std::size_t k, std::size_t count) {
   const double place = count > 1 ? static_cast<double>(k) / static_cast<double>(count - 1) : 0;
-  // The dark end of plasma changes slowly.
+  // The dark end of plasma changes slowly, so its steps are made larger there.
   return {plasma.at(0.02 + 0.84 * std::pow(place, 0.8)), plasma.at(0.36 + 0.62 * place)};
 }
 
@@ -93,4 +93,4 @@ Rgb ColourScale::at(double place) const {
           mixed(stops_[k].blue, stops_[k + 1].blue, share)};
 }
 
-}  // namespace brdftab
+}  // namespace brdftab::drawing

@@ -1,4 +1,5 @@
-// Colours of pictures: told apart by people who see no red or green, on a white page and on a dark one.
+// The colours of pictures. People who see no red or green tell them apart too, on a white page and a dark
+// one.
 #pragma once
 
 #include <array>
@@ -7,16 +8,16 @@
 #include <span>
 #include <string>
 
-namespace brdftab {
+namespace brdftab::drawing {
 
 struct Rgb {
   std::uint8_t red, green, blue;
 
-  /// As `#rrggbb`.
+  /// The colour written as `#rrggbb`.
   std::string hex() const;
 };
 
-/// A colour on a light page, and in its place on a dark one.
+/// A colour for light pages and one that takes its place on dark pages.
 struct Ink {
   Rgb light;
   Rgb dark;
@@ -30,18 +31,18 @@ inline constexpr Ink frame{{70, 70, 70}, {165, 168, 172}};
 inline constexpr Ink grid{{224, 224, 224}, {52, 57, 64}};
 }  // namespace inks
 
-/// Kinds of thing, such as lobes: the colours of Okabe and Ito. From the ninth on they repeat, and `dash_of`
-/// tells them apart.
+/// The ink of the k-th kind of thing, such as a lobe. The eight colours are those of Okabe and Ito; they
+/// repeat from the ninth kind on, where `dash_of` tells lines apart.
 Ink category_ink(std::size_t k);
 
-/// A dash array for SVG, empty for a whole line.
+/// The dash array in SVG for the k-th kind of thing. It is empty for a whole line.
 std::string dash_of(std::size_t k);
 
-/// Steps of one quantity, such as theta_i: the k-th of `count`, along matplotlib's plasma (CC0), without the
-/// end that is too close to the page.
+/// The ink of the k-th of `count` steps of one quantity, such as theta_i. The steps follow matplotlib's
+/// plasma (CC0) without the end that is too close to the page's colour.
 Ink step_ink(std::size_t k, std::size_t count);
 
-/// A scale of colours over [0, 1]; values beyond take the colour of the end, nan that of 0.
+/// A scale of colours over [0, 1]. A place beyond takes the colour of the nearer end, and nan that of 0.
 class ColourScale {
  public:
   explicit constexpr ColourScale(std::span<const Rgb> stops) : stops_(stops) {}
@@ -53,10 +54,10 @@ class ColourScale {
   std::span<const Rgb> stops_;
 };
 
-/// Perceptually uniform: matplotlib's viridis (CC0), within two steps of 8 bits.
+/// matplotlib's viridis (CC0), which is perceptually uniform. Its 8-bit colours are met within two steps.
 extern const ColourScale viridis;
 
-/// From blue over white, at 1/2, to orange: even in lightness on both sides.
+/// A scale from blue through white, at 1/2, to orange. Both sides have the same lightness.
 extern const ColourScale blue_to_orange;
 
-}  // namespace brdftab
+}  // namespace brdftab::drawing

@@ -4,14 +4,14 @@
 #include "host/base/whole_file.hpp"
 #include "host/pictures/drawing/png.hpp"
 
-namespace brdftab {
+namespace brdftab::drawing {
 namespace {
 
 const std::filesystem::path& checked(const std::filesystem::path& target, int png_width) {
   const std::string extension = target.extension().string();
   if (extension != ".svg" && extension != ".png")
     throw BadInput("{}: a picture's name must end in .svg or .png", target.string());
-  if (extension == ".svg" && png_width > 0) throw BadInput("--width: is of a PNG; an SVG has every width");
+  if (extension == ".svg" && png_width > 0) throw BadInput("`width`: is of a PNG; an SVG has every width");
   return target;
 }
 
@@ -29,4 +29,4 @@ void PictureFile::write(const std::string& svg) {
   }
 }
 
-}  // namespace brdftab
+}  // namespace brdftab::drawing

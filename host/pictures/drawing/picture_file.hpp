@@ -1,4 +1,4 @@
-// A picture in a file whose extension says what it is: SVG or PNG.
+// The file of a picture: its extension says whether it is SVG or PNG.
 #pragma once
 
 #include <filesystem>
@@ -6,15 +6,15 @@
 
 #include "host/base/partial_file.hpp"
 
-namespace brdftab {
+namespace brdftab::drawing {
 
 class PictureFile {
  public:
-  /// `png_width` in pixels; 0: 2.5 for each unit of the SVG. Throws BadInput for other extensions, FileError
-  /// as PartialFile.
+  /// `png_width` is in pixels; 0 makes 2.5 pixels for each user unit of the SVG. Throws BadInput for other
+  /// extensions, and FileError where PartialFile does.
   PictureFile(const std::filesystem::path& target, int png_width, bool force);
 
-  /// Writes an SVG file's text, or draws it; the file then has its name. Throws FileError.
+  /// Writes the text of an SVG file, or the PNG drawn from it, and gives the file its name. Throws FileError.
   void write(const std::string& svg);
 
  private:
@@ -23,4 +23,4 @@ class PictureFile {
   PartialFile file_;
 };
 
-}  // namespace brdftab
+}  // namespace brdftab::drawing

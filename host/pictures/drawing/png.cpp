@@ -8,7 +8,7 @@
 
 #include "host/base/error.hpp"
 
-namespace brdftab {
+namespace brdftab::drawing {
 namespace {
 
 constexpr double pixels_per_unit = 2.5;
@@ -86,4 +86,4 @@ std::vector<std::byte> png_of_svg(std::string_view svg, int width) {
   return encoded(surface.get());
 }
 
-}  // namespace brdftab
+}  // namespace brdftab::drawing

@@ -1,4 +1,4 @@
-// PNG: from pixels, and from a picture in SVG.
+// PNG files are made from pixels, or drawn from the text of an SVG file.
 #pragma once
 
 #include <cstddef>
@@ -8,18 +8,19 @@
 
 #include "host/pictures/drawing/palette.hpp"
 
-namespace brdftab {
+namespace brdftab::drawing {
 
-/// Pixels, row by row from the top; none where the page shows.
+/// The pixels lie row by row from the top. The page shows where there is none.
 struct Raster {
   std::size_t width, height;
   std::vector<std::optional<Rgb>> pixels;
 };
 
+/// The content of a PNG file.
 std::vector<std::byte> png(const Raster& raster);
 
-/// Draws an SVG file's text by librsvg and cairo, so many pixels wide, or 2.5 for each unit if 0. Throws
-/// Error where it cannot.
+/// Draws the text of an SVG file by librsvg and cairo. `width` is in pixels; 0 makes 2.5 pixels for each user
+/// unit. Throws Error where they cannot draw it.
 std::vector<std::byte> png_of_svg(std::string_view svg, int width);
 
-}  // namespace brdftab
+}  // namespace brdftab::drawing

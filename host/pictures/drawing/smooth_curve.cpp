@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace brdftab {
+namespace brdftab::drawing {
 namespace {
 
 constexpr double page_width = 600;
@@ -13,7 +13,7 @@ constexpr double x_grain = 1e-7;
 
 double rounded(double x) { return std::round(x / x_grain) * x_grain; }
 
-// Distance of a point from the line through two others.
+// The distance of a point from the line through two others.
 double off_chord(const ChartPoint& a, const ChartPoint& middle, const ChartPoint& b) {
   const double dx = b.x - a.x, dy = b.y - a.y;
   return std::abs(dx * (middle.y - a.y) - dy * (middle.x - a.x)) / std::hypot(dx, dy);
@@ -90,4 +90,4 @@ std::vector<std::vector<ChartPoint>> smooth_curves(const std::vector<std::vector
   return curves;
 }
 
-}  // namespace brdftab
+}  // namespace brdftab::drawing

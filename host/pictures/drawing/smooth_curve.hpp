@@ -1,4 +1,4 @@
-// Curves sampled so that straight lines between the samples look smooth.
+// Curves are sampled so densely that straight lines between the samples look smooth.
 #pragma once
 
 #include <functional>
@@ -7,26 +7,27 @@
 
 #include "host/pictures/drawing/frame.hpp"
 
-namespace brdftab {
+namespace brdftab::drawing {
 
-/// A place on one of several curves.
+/// A value of x on one of several curves.
 struct CurvePlace {
   std::size_t curve;
   double x;
 };
 
-/// y at many places at once.
+/// Returns y at many places at once.
 using CurveValues = std::function<std::vector<double>(std::span<const CurvePlace>)>;
 
-/// Samples curves from `starts[curve]`, which increase and hold every x where a narrow peak may be. Intervals
-/// are halved until the middle lies within 0.1 of a unit of the chord, on a page where the starts' whole
-/// range of x is 600 units wide and that of y, logarithmic and of at most `most_decades` or linear, 400 high.
-/// Samples are at multiples of 1e-7.
+/// Samples curves, each first at the values of x in `starts[curve]`, which have to increase and to hold every
+/// x where a narrow peak may be. The intervals between samples are halved until the middle lies within 0.1
+/// units of the chord. These units are of a page where the range of x is 600 wide and that of y 400 high; y
+/// is linear, or logarithmic over at most `most_decades`. Every x is a multiple of 1e-7.
 std::vector<std::vector<ChartPoint>> smooth_curves(const std::vector<std::vector<double>>& starts,
                                                    const CurveValues& values, bool logarithmic,
                                                    double most_decades = 7);
 
-/// From first to last by step, with more places in between; sorted, each once.
+/// Values of x to start from: `first`, `last`, the multiples of `step` between them, and those of `more` that
+/// lie between them. They increase, and each comes once.
 std::vector<double> curve_starts(double first, double last, double step, std::span<const double> more);
 
-}  // namespace brdftab
+}  // namespace brdftab::drawing

@@ -5,14 +5,14 @@
 #include <algorithm>
 #include <vector>
 
-namespace brdftab {
+namespace brdftab::drawing {
 namespace {
 
 constexpr double script_size = 0.74;
 constexpr double lowered = 0.24;
 constexpr double raised = -0.38;
 
-// A piece of text, and how far it is lowered, in sizes of the font.
+// A piece of a text, and how far it is lowered as a multiple of the font's size.
 struct Piece {
   std::string text;
   double shift;
@@ -203,4 +203,4 @@ std::string Svg::document(std::string_view title, std::string_view data) const {
       body_);
 }
 
-}  // namespace brdftab
+}  // namespace brdftab::drawing

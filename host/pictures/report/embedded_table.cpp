@@ -4,10 +4,12 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 
 #include "host/base/numbers.hpp"
 #include "host/compute/slab.hpp"
+#include "host/model/measurement/measured_light.hpp"
 #include "host/pictures/drawing/svg.hpp"
 #include "host/pictures/hemisphere_figure.hpp"
 
@@ -22,7 +24,7 @@ std::vector<double> chosen(const Axis& axis, const std::vector<std::size_t>& ind
   return nodes;
 }
 
-// Rows of theta_s that lie beside each other are read at once.
+// Appends the samples of some nodes at one theta_i. Rows that lie beside each other are read at once.
 void read_hemisphere(const Subject& table, std::size_t theta_i, std::size_t band, Polarization polarization,
                      const NodeSubset& nodes, std::vector<float>& samples) {
   const std::size_t columns = table.table().grid.phi_s.size();
@@ -41,9 +43,7 @@ void read_hemisphere(const Subject& table, std::size_t theta_i, std::size_t band
 }
 
 std::string set_name(const Subject& table, std::size_t band, Polarization polarization) {
-  std::string name = polarization == Polarization::unpolarized ? "unpolarised"
-                     : polarization == Polarization::s         ? "s-polarised"
-                                                               : "p-polarised";
+  std::string name(light_word(share_s(polarization)));
   if (table.material().has_wavelengths())
     name += fmt::format(", {} nm", shortest(*table.material().bands()[band].wavelength_nm));
   return name;
@@ -107,7 +107,7 @@ EmbeddedTable embed(const Subject& table, std::size_t most, const Watch& watch) 
       {"phi", phi},
       {"sets",
        names}}.dump();
-  result.float32 = base64(std::as_bytes(std::span<const float>(samples)));
+  result.float32 = drawing::base64(std::as_bytes(std::span<const float>(samples)));
   return result;
 }
 

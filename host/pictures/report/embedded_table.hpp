@@ -1,4 +1,4 @@
-// A table's samples as a page carries them: some of its nodes, if there are too many.
+// A page carries the samples of a table; of a large table it carries those at some of the nodes.
 #pragma once
 
 #include <string>
@@ -10,29 +10,29 @@
 
 namespace brdftab {
 
-/// Indices of nodes, increasing.
+/// Some nodes of a grid at its first phi_i, as indices that increase.
 struct NodeSubset {
   std::vector<std::size_t> theta_i, theta_s, phi_s;
 
   std::size_t size() const { return theta_i.size() * theta_s.size() * phi_s.size(); }
 };
 
-/// At most `most` nodes at the first phi_i, spread evenly over each axis, both ends of each included: the
-/// longest axis is thinned first, phi_s counting half.
+/// Chooses at most `most` nodes at the first phi_i. They are spread evenly over each axis and include its two
+/// ends. The longest axis is thinned first, where the length of phi_s counts half.
 NodeSubset spread_nodes(const Grid& grid, std::size_t most);
 
-/// The grid of those nodes.
+/// The grid that has just these nodes.
 Grid subset_grid(const Grid& grid, const NodeSubset& nodes);
 
 struct EmbeddedTable {
   NodeSubset nodes;
-  bool whole;           // whether nodes are all of the table's at its first phi_i
-  ChartAxis scale;      // of colours
-  std::string json;     // of the page: axes, and names of the sets of samples
-  std::string float32;  // base64, little-endian, [set][theta_i][theta_s][phi]
+  bool whole;                // whether the nodes are all that the table has at its first phi_i
+  drawing::ChartAxis scale;  // of the colours
+  std::string json;          // the axes, and the names of the sets of samples
+  std::string float32;       // the samples [set][theta_i][theta_s][phi], little-endian, in base64
 };
 
-/// All bands and polarisations, in at most `most` samples together.
+/// Reads the samples of all bands and polarisations, at most `most` of them together.
 EmbeddedTable embed(const Subject& table, std::size_t most, const Watch& watch);
 
 }  // namespace brdftab

@@ -1,16 +1,16 @@
 #include "host/pictures/report/report.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
-#include <algorithm>
+#include <span>
 
 #include "host/base/numbers.hpp"
+#include "host/model/measurement/measured_light.hpp"
 #include "host/model/variant.hpp"
 #include "host/pictures/angles_sketch.hpp"
 #include "host/pictures/drawing/svg.hpp"
 #include "host/pictures/in_plane.hpp"
-#include "host/pictures/report/embedded_table.hpp"
+#include "host/pictures/report/explorer.hpp"
 #include "host/pictures/report/report_style.hpp"
 #include "host/pictures/table_slice.hpp"
 #include "host/table/table_content.hpp"
@@ -18,9 +18,7 @@
 namespace brdftab {
 namespace {
 
-constexpr std::size_t colour_steps = 256;
-
-// A symbol as HTML, what follows its line lowered.
+// A symbol such as σ_surface as HTML: what follows the underscore is lowered.
 std::string symbol_html(std::string_view symbol) {
   const std::size_t line = symbol.find('_');
   if (line == symbol.npos) return fmt::format("<i>{}</i>", xml_escaped(symbol));
@@ -28,7 +26,8 @@ std::string symbol_html(std::string_view symbol) {
                      xml_escaped(symbol.substr(line + 1)));
 }
 
-// A number of the table, shown with a few digits; `path` is its place in what `info --json` prints.
+// Shows a number of the table with a few digits. `path` is its place in what the command `info` prints as
+// JSON.
 std::string number_html(const std::string& path, double value) {
   return fmt::format("<data data-path=\"{}\" value=\"{}\">{:.4g}</data>", xml_escaped(path), shortest(value),
                      value);
@@ -36,7 +35,7 @@ std::string number_html(const std::string& path, double value) {
 
 std::string image_html(const std::string& svg, std::string_view alt, std::string_view caption) {
   return fmt::format("<figure><img alt=\"{}\" src=\"data:image/svg+xml;base64,{}\">{}</figure>\n",
-                     xml_escaped(alt), base64(std::as_bytes(std::span<const char>(svg))),
+                     xml_escaped(alt), drawing::base64(std::as_bytes(std::span<const char>(svg))),
                      caption.empty() ? "" : fmt::format("<figcaption>{}</figcaption>", caption));
 }
 
@@ -76,7 +75,7 @@ class Page {
     return found ? xml_escaped(*found) : "";
   }
 
-  // An attribute, or one for each band, as table cells.
+  // The cells of a table with an attribute's number, or with one number for each band.
   std::string number_cells(const std::string& name) const {
     const AttributeValue* value = info_.attribute(name);
     if (!value) return "<td class=\"number\">not in the table</td>";
@@ -126,9 +125,7 @@ class Page {
     add("</table></div>\n");
     std::vector<std::string> light;
     for (const Polarization polarization : table_.table().polarizations)
-      light.emplace_back(polarization == Polarization::unpolarized ? "unpolarised"
-                         : polarization == Polarization::s         ? "s-polarised"
-                                                                   : "p-polarised");
+      light.emplace_back(light_word(share_s(polarization)));
     add("<p>{} directions{} in {} light, stored as {}. {}</p>\n", table_.table().grid.directions(),
         table_.material().has_wavelengths()
             ? fmt::format(" at each of {} wavelengths", table_.material().bands().size())
@@ -143,38 +140,9 @@ class Page {
       return;
     }
     round_ = true;
-    const EmbeddedTable embedded = embed(table_, most_embedded, engine_().watch());
-    const ChartAxis& axis = embedded.scale;
-    nlohmann::json scale{{"low", axis.low}, {"high", axis.high}, {"ticks", nlohmann::json::array()}};
-    for (const Tick& tick : ticks(axis))
-      scale["ticks"].push_back({{"value", tick.value}, {"label", tick.label}});
-    for (std::size_t k = 0; k < colour_steps; ++k)
-      scale["colours"].push_back(
-          viridis.at(static_cast<double>(k) / static_cast<double>(colour_steps - 1)).hex());
-    add("<h2>The hemisphere at each angle of incidence</h2>\n<div class=\"explorer\">\n<div "
-        "class=\"controls\"><label for=\"slider\">incidence <i>θ</i><sub>i</sub></label><input id=\"slider\" "
-        "type=\"range\" min=\"0\" "
-        "step=\"1\"><output id=\"theta_i\" for=\"slider\"></output><label>light <select "
-        "id=\"sets\"></select></label></div>\n"
-        "<div><canvas id=\"map\" role=\"img\" aria-label=\"Map of the BRDF over the hemisphere\"></canvas>\n"
-        "<p id=\"reading\"></p></div>\n"
-        "<div><canvas id=\"cut\" role=\"img\" aria-label=\"The BRDF in the plane of incidence\"></canvas>\n"
-        "<p class=\"faint\">Point at the map to read <i>f</i><sub>r</sub>. Forward is to the right; the "
-        "cross is the mirror direction, the ring retro-reflection; circles are at <i>θ</i><sub>s</sub> = 30° "
-        "and 60°. Drawn from the table's own samples, linear in ln <i>f</i> between its nodes, which are the "
-        "dots of the curve.{}</p></div>\n</div>\n",
-        embedded.whole ? ""
-                       : fmt::format(" <b>The table is too large for a page: these are {} of its {} "
-                                     "θ<sub>i</sub>, {} of {} θ<sub>s</sub> and {} of {} φ<sub>s</sub>, "
-                                     "spread evenly; narrow peaks between them are not seen here.</b>",
-                                     embedded.nodes.theta_i.size(), table_.table().grid.theta_i.size(),
-                                     embedded.nodes.theta_s.size(), table_.table().grid.theta_s.size(),
-                                     embedded.nodes.phi_s.size(), table_.table().grid.phi_s.size()));
-    scripts_ = fmt::format(
-        "<script type=\"application/json\" id=\"axes\">{}</script>\n<script type=\"application/json\" "
-        "id=\"scale\">{}</script>\n"
-        "<script type=\"text/plain\" id=\"samples\">{}</script>\n<script>{}</script>\n",
-        embedded.json, scale.dump(), embedded.float32, report_script);
+    Explorer map = explorer(table_, most_embedded, engine_().watch());
+    body_ += map.section;
+    scripts_ = std::move(map.scripts);
   }
 
   void parameters() {
@@ -185,7 +153,7 @@ class Page {
       add("<tr><td>{} <code>{}</code></td>", symbol_html(row.symbol), row.name);
       for (const Band& band : table_.material().bands()) {
         const double value = band.parameters.*row.member;
-        // With bands, the attributes of a table do not have them one by one.
+        // A table of several bands has no attribute for the parameter of each.
         add("<td class=\"number\">{}</td>", table_.material().has_wavelengths()
                                                 ? fmt::format("{:.4g}", value)
                                                 : number_html(fmt::format("attributes/{}", row.name), value));
@@ -270,17 +238,17 @@ class Page {
     add("<details><summary>N and DHR at every θ<sub>i</sub> of the table, unpolarised</summary>\n<div "
         "class=\"scroll\"><table>\n<tr>");
     const bool bands = table_.material().has_wavelengths();
-    const std::vector<std::string> names{"normalization_surface",
-                                         "normalization_bulk",
-                                         "normalization_retro",
-                                         "dhr",
-                                         "dhr_surface",
-                                         "dhr_bulk",
-                                         "dhr_retro"};
     if (bands) add("<th class=\"number\">nm</th>");
     add("<th class=\"number\">θ<sub>i</sub></th>");
-    for (const char* head : {"N surface", "N bulk", "N retro", "DHR", "DHR surface", "DHR bulk", "DHR retro"})
+    std::vector<std::string> names;
+    const auto column = [&](std::string_view head, std::string name) {
       add("<th class=\"number\">{}</th>", head);
+      names.push_back(std::move(name));
+    };
+    for (const auto lobe : lobe_names)
+      column(fmt::format("N {}", lobe), fmt::format("normalization_{}", lobe));
+    column("DHR", "dhr");
+    for (const auto lobe : lobe_names) column(fmt::format("DHR {}", lobe), fmt::format("dhr_{}", lobe));
     add("</tr>\n");
     const auto theta_i = table_.table().grid.theta_i.nodes();
     for (std::size_t band = 0; band < table_.material().bands().size(); ++band)

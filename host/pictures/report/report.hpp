@@ -1,4 +1,4 @@
-// A page about a table: self-contained HTML with pictures, figures and a map that follows a slider.
+// A page about a table: one HTML file with pictures, figures and a map that follows a slider.
 #pragma once
 
 #include <string>
@@ -7,10 +7,10 @@
 
 namespace brdftab {
 
-/// Samples that a page carries at most.
+/// A page carries at most so many samples.
 inline constexpr std::size_t most_embedded = 1 << 20;
 
-/// The whole file. `origin`: a sentence of plain text, where the table comes from.
+/// Returns the whole file. `origin` is a sentence of plain text that says where the table comes from.
 std::string report(const Subject& table, const LazyEngine& engine, const std::string& origin);
 
 }  // namespace brdftab

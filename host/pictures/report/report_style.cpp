@@ -3,12 +3,13 @@
 namespace brdftab {
 
 const std::string_view report_style = R"css(
-:root { color-scheme: light dark; --page: #ffffff; --text: #1a1a1a; --faint: #5f5f5f; --line: #dcdcdc; --accent: #0072b2; }
+:root { color-scheme: light dark; --page: #ffffff; --text: #1a1a1a; --faint: #5f5f5f;
+  --line: #dcdcdc; --accent: #0072b2; }
 @media (prefers-color-scheme: dark) {
   :root { --page: #14171c; --text: #e8e8e8; --faint: #a5a8ac; --line: #343940; --accent: #4da6e0; }
 }
-body { margin: 0 auto; padding: 1.5rem 1.25rem 4rem; max-width: 62rem; background: var(--page); color: var(--text);
-  font: 16px/1.5 Helvetica, Arial, "Liberation Sans", "DejaVu Sans", sans-serif; }
+body { margin: 0 auto; padding: 1.5rem 1.25rem 4rem; max-width: 62rem; background: var(--page);
+  color: var(--text); font: 16px/1.5 Helvetica, Arial, "Liberation Sans", "DejaVu Sans", sans-serif; }
 h1 { font-size: 1.75rem; line-height: 1.2; margin: 0.5rem 0; }
 h2 { font-size: 1.2rem; margin: 2.4rem 0 0.6rem; padding-top: 0.6rem; border-top: 1px solid var(--line); }
 p, figcaption { max-width: 46rem; }
@@ -17,10 +18,12 @@ figure img { display: block; max-width: 100%; height: auto; }
 figcaption, .faint { color: var(--faint); font-size: 0.9rem; }
 .scroll { overflow-x: auto; }
 table { border-collapse: collapse; font-size: 0.9rem; margin: 0.6rem 0; }
-th, td { text-align: left; vertical-align: top; padding: 0.22rem 1.1rem 0.22rem 0; border-bottom: 1px solid var(--line); }
+th, td { text-align: left; vertical-align: top;
+  padding: 0.22rem 1.1rem 0.22rem 0; border-bottom: 1px solid var(--line); }
 th { font-weight: 600; }
 td.number, th.number { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
-pre { overflow-x: auto; padding: 0.7rem 0.9rem; border: 1px solid var(--line); border-radius: 4px; font-size: 0.85rem; }
+pre { overflow-x: auto; padding: 0.7rem 0.9rem; border: 1px solid var(--line);
+  border-radius: 4px; font-size: 0.85rem; }
 pre.command { white-space: pre-wrap; overflow-wrap: anywhere; }
 .warning { border-left: 4px solid #d55e00; padding-left: 0.8rem; }
 .explorer { display: grid; grid-template-columns: 57fr 40fr; gap: 1rem 1.5rem; align-items: start; }
@@ -46,8 +49,8 @@ const thetaI = axes.theta_i, thetaS = axes.theta_s;
 const rows = thetaS.length, columns = axes.phi.length;
 const degree = Math.PI / 180;
 
-// Azimuths once around, each with the column of the node that has its value; f is even in phi, so where there is no node
-// its mirror image in the plane of incidence serves.
+// The azimuths once around, each with the column of the node that has its value. Where an azimuth has no
+// node, its mirror image in the plane of incidence serves, because f is even in phi.
 const turned = (phi) => { const t = ((phi % 360) + 360) % 360; return t > 360 - 1e-9 ? 0 : t; };
 const circle = [];
 for (const sign of [1, -1])
@@ -58,16 +61,22 @@ for (const sign of [1, -1])
 circle.sort((a, b) => a.phi - b.phi);
 circle.push({phi: circle[0].phi + 360, column: circle[0].column});
 
-// The nodes around a direction and the share between them; null beyond the nodes.
+// The nodes around a direction, and how far it is from one to the next. Beyond the nodes there is null.
 function cell(theta, phi) {
   if (theta < thetaS[0] || theta > thetaS[rows - 1]) return null;
   let low = 0, high = rows - 1;
-  while (high - low > 1) { const middle = (low + high) >> 1; if (thetaS[middle] <= theta) low = middle; else high = middle; }
+  while (high - low > 1) {
+    const middle = (low + high) >> 1;
+    if (thetaS[middle] <= theta) low = middle; else high = middle;
+  }
   const down = high > low ? (theta - thetaS[low]) / (thetaS[high] - thetaS[low]) : 0;
   let angle = turned(phi);
   if (angle < circle[0].phi) angle += 360;
   let left = 0, right = circle.length - 1;
-  while (right - left > 1) { const middle = (left + right) >> 1; if (circle[middle].phi <= angle) left = middle; else right = middle; }
+  while (right - left > 1) {
+    const middle = (left + right) >> 1;
+    if (circle[middle].phi <= angle) left = middle; else right = middle;
+  }
   const along = (angle - circle[left].phi) / (circle[right].phi - circle[left].phi);
   return {low, high, down, left: circle[left].column, right: circle[right].column, along};
 }
@@ -75,23 +84,25 @@ function cell(theta, phi) {
 let set = 0, incidence = 0;
 const at = (row, column) => samples[((set * thetaI.length + incidence) * rows + row) * columns + column];
 
-// Linear in ln f between nodes.
+// f between the nodes, linear in ln f where it is positive.
 function value(c) {
   const corners = [at(c.low, c.left), at(c.low, c.right), at(c.high, c.left), at(c.high, c.right)];
-  const weights = [(1 - c.down) * (1 - c.along), (1 - c.down) * c.along, c.down * (1 - c.along), c.down * c.along];
+  const weights = [(1 - c.down) * (1 - c.along), (1 - c.down) * c.along,
+                   c.down * (1 - c.along), c.down * c.along];
   const logarithmic = corners.every((f) => f > 0);
   let sum = 0;
   for (let k = 0; k < 4; ++k) sum += weights[k] * (logarithmic ? Math.log(corners[k]) : corners[k]);
   return logarithmic ? Math.exp(sum) : sum;
 }
 
-// 0 to 1 along the scale.
+// Where a value lies on the scale: 0 at its low end, 1 at its high end.
 const share = (f) => f > 0 ? Math.log(f / scale.low) / Math.log(scale.high / scale.low) : -1;
 const position = (f) => Math.min(Math.max(share(f), 0), 1);
 const colours = scale.colours.map((hex) => [1, 3, 5].map((k) => parseInt(hex.slice(k, k + 2), 16)));
 
 const map = element("map"), cut = element("cut");
-const side = 420, radius = side / 2, left = 52, top = 14;  // of the disc, in units of the page
+// The disc of the map has these sizes in units of the page; a unit has `density` pixels.
+const side = 420, radius = side / 2, left = 52, top = 14;
 const density = 2;
 const pixels = side * density;
 const disc = document.createElement("canvas");
@@ -102,7 +113,9 @@ const cells = new Array(pixels * pixels).fill(null);
 for (let row = 0; row < pixels; ++row)
   for (let column = 0; column < pixels; ++column) {
     const x = (column + 0.5) / pixels * 2 - 1, y = 1 - (row + 0.5) / pixels * 2, r = Math.hypot(x, y);
-    if (r < reach && r < 1) cells[row * pixels + column] = cell(Math.min(Math.asin(r) / degree, thetaS[rows - 1]), Math.atan2(y, x) / degree);
+    if (r < reach && r < 1)
+      cells[row * pixels + column] =
+        cell(Math.min(Math.asin(r) / degree, thetaS[rows - 1]), Math.atan2(y, x) / degree);
   }
 
 const style = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
@@ -120,7 +133,7 @@ function prepared(canvas, width, height) {
 }
 
 function tickText(context, tick, x, y) {
-  // A label such as 5·10^{−3}: the power is raised.
+  // In a label such as 5·10^{−3} the power is raised.
   const [whole, base, power] = tick.match(/^(.*?)(?:\^\{(.*)\})?$/);
   context.fillText(base, x, y);
   if (power) {
@@ -144,7 +157,9 @@ function drawMap() {
   const context = prepared(map, side + left + 96, side + top + 52);
   const cx = left + radius, cy = top + radius;
   context.drawImage(disc, left, top, side, side);
-  const circleAt = (x, y, r) => { context.beginPath(); context.arc(x, y, r, 0, 2 * Math.PI); context.stroke(); };
+  const circleAt = (x, y, r) => {
+    context.beginPath(); context.arc(x, y, r, 0, 2 * Math.PI); context.stroke();
+  };
   context.save();
   context.strokeStyle = "rgba(255, 255, 255, 0.4)";
   for (const theta of [30, 60]) circleAt(cx, cy, radius * Math.sin(theta * degree));
@@ -166,10 +181,12 @@ function drawMap() {
   context.strokeStyle = style("--faint");
   context.lineWidth = 1;
   context.textAlign = "center";
-  for (const tick of [-1, 0, 1]) context.fillText(String(tick).replace("-", "−"), cx + radius * tick, top + side + 20);
+  for (const tick of [-1, 0, 1])
+    context.fillText(String(tick).replace("-", "−"), cx + radius * tick, top + side + 20);
   context.fillText("sin θₛ cos φ", cx, top + side + 42);
   context.textAlign = "right";
-  for (const tick of [-1, 0, 1]) context.fillText(String(tick).replace("-", "−"), left - 8, cy - radius * tick + 5);
+  for (const tick of [-1, 0, 1])
+    context.fillText(String(tick).replace("-", "−"), left - 8, cy - radius * tick + 5);
   context.save();
   context.translate(16, cy); context.rotate(-Math.PI / 2); context.textAlign = "center";
   context.fillText("sin θₛ sin φ", 0, 0);
@@ -185,21 +202,24 @@ function drawMap() {
   context.textAlign = "left";
   for (const tick of scale.ticks) {
     const y = top + side * (1 - position(tick.value));
-    context.beginPath(); context.moveTo(barX + 16, y); context.lineTo(barX + (tick.label ? 21 : 19), y); context.stroke();
+    context.beginPath(); context.moveTo(barX + 16, y); context.lineTo(barX + (tick.label ? 21 : 19), y);
+    context.stroke();
     if (tick.label) tickText(context, tick.label, barX + 25, y + 5);
   }
   context.fillText("sr⁻¹", barX, top + side + 20);
 }
 
 function drawCut() {
-  const width = 400, height = 396, box = {left: 62, top: 14, right: width - 12, bottom: height - 48};
+  const width = 400, height = 396;
+  const box = {left: 62, top: 14, right: width - 12, bottom: height - 48};
   const context = prepared(cut, width, height);
   const x = (theta) => box.left + (theta + 90) / 180 * (box.right - box.left);
   const y = (f) => box.bottom - share(f) * (box.bottom - box.top);
   context.textAlign = "center";
   for (const theta of [-90, -60, -30, 0, 30, 60, 90]) {
     context.strokeStyle = style("--line");
-    context.beginPath(); context.moveTo(x(theta), box.top); context.lineTo(x(theta), box.bottom); context.stroke();
+    context.beginPath(); context.moveTo(x(theta), box.top); context.lineTo(x(theta), box.bottom);
+    context.stroke();
     context.fillText(String(theta).replace("-", "−"), x(theta), box.bottom + 20);
   }
   context.fillText("θₛ in the plane of incidence, degrees", (box.left + box.right) / 2, box.bottom + 42);
@@ -207,11 +227,13 @@ function drawCut() {
   for (const tick of scale.ticks) {
     if (!tick.label) continue;
     context.strokeStyle = style("--line");
-    context.beginPath(); context.moveTo(box.left, y(tick.value)); context.lineTo(box.right, y(tick.value)); context.stroke();
+    context.beginPath(); context.moveTo(box.left, y(tick.value)); context.lineTo(box.right, y(tick.value));
+    context.stroke();
     tickText(context, tick.label, box.left - 44, y(tick.value) + 5);
   }
   context.save();
-  context.translate(13, (box.top + box.bottom) / 2); context.rotate(-Math.PI / 2); context.textAlign = "center";
+  context.translate(13, (box.top + box.bottom) / 2); context.rotate(-Math.PI / 2);
+  context.textAlign = "center";
   context.fillText("BRDF, sr⁻¹", 0, 0);
   context.restore();
   context.strokeStyle = style("--faint");
@@ -220,17 +242,22 @@ function drawCut() {
   for (const [phi, sign] of [[180, -1], [0, 1]]) {
     const node = circle.find((azimuth) => Math.abs(azimuth.phi - phi) < 1e-9);
     if (!node) continue;
-    thetaS.forEach((theta, row) => { if (theta > 0 || sign > 0) points.push([sign * theta, at(row, node.column)]); });
+    thetaS.forEach((theta, row) => {
+      if (theta > 0 || sign > 0) points.push([sign * theta, at(row, node.column)]);
+    });
   }
   points.sort((a, b) => a[0] - b[0]);
   context.save();
-  context.beginPath(); context.rect(box.left, box.top, box.right - box.left, box.bottom - box.top); context.clip();
+  context.beginPath(); context.rect(box.left, box.top, box.right - box.left, box.bottom - box.top);
+  context.clip();
   context.strokeStyle = context.fillStyle = style("--accent");
   context.lineWidth = 1.6;
   context.beginPath();
   points.forEach(([theta, f], k) => k ? context.lineTo(x(theta), y(f)) : context.moveTo(x(theta), y(f)));
   context.stroke();
-  for (const [theta, f] of points) { context.beginPath(); context.arc(x(theta), y(f), 1.7, 0, 2 * Math.PI); context.fill(); }
+  for (const [theta, f] of points) {
+    context.beginPath(); context.arc(x(theta), y(f), 1.7, 0, 2 * Math.PI); context.fill();
+  }
   context.restore();
 }
 
@@ -242,7 +269,8 @@ function draw() {
 
 const slider = element("slider");
 slider.max = thetaI.length - 1;
-incidence = thetaI.reduce((best, theta, k) => Math.abs(theta - 45) < Math.abs(thetaI[best] - 45) ? k : best, 0);
+const offMiddle = (k) => Math.abs(thetaI[k] - 45);
+incidence = thetaI.reduce((best, theta, k) => offMiddle(k) < offMiddle(best) ? k : best, 0);
 slider.value = incidence;
 slider.addEventListener("input", () => { incidence = Number(slider.value); draw(); });
 const sets = element("sets");
@@ -251,11 +279,13 @@ sets.parentElement.hidden = axes.sets.length < 2;
 sets.addEventListener("change", () => { set = Number(sets.value); draw(); });
 map.addEventListener("pointermove", (event) => {
   const bounds = map.getBoundingClientRect(), zoom = (side + left + 96) / bounds.width;
-  const u = ((event.clientX - bounds.left) * zoom - left) / radius - 1, v = 1 - ((event.clientY - bounds.top) * zoom - top) / radius;
+  const u = ((event.clientX - bounds.left) * zoom - left) / radius - 1;
+  const v = 1 - ((event.clientY - bounds.top) * zoom - top) / radius;
   const r = Math.hypot(u, v);
-  const c = r < 1 ? cell(Math.asin(r) / degree, Math.atan2(v, u) / degree) : null;
+  const theta = Math.asin(r) / degree, phi = Math.atan2(v, u) / degree;
+  const c = r < 1 ? cell(theta, phi) : null;
   element("reading").textContent = c
-    ? `θₛ = ${(Math.asin(r) / degree).toFixed(1)}°, φ = ${turned(Math.atan2(v, u) / degree).toFixed(1)}°: f = ${value(c).toPrecision(4)} sr⁻¹`
+    ? `θₛ = ${theta.toFixed(1)}°, φ = ${turned(phi).toFixed(1)}°: f = ${value(c).toPrecision(4)} sr⁻¹`
     : "";
 });
 matchMedia("(prefers-color-scheme: dark)").addEventListener("change", draw);

@@ -1,11 +1,14 @@
-// The style and the script of a report.
+// The style and the script of the page that `report` writes.
 #pragma once
 
 #include <string_view>
 
 namespace brdftab {
 
-extern const std::string_view report_style;   // CSS
-extern const std::string_view report_script;  // JavaScript; reads the elements `axes`, `samples` and `scale`
+/// CSS.
+extern const std::string_view report_style;
+
+/// JavaScript, which draws the map and its cut from the elements `axes`, `samples` and `scale` of the page.
+extern const std::string_view report_script;
 
 }  // namespace brdftab
