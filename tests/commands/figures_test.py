@@ -9,6 +9,7 @@ import re
 import shutil
 import subprocess
 import sys
+import tomllib
 import unittest
 
 from picture import Picture
@@ -16,7 +17,6 @@ from program import DONE, MATERIALS, PROGRAM, ROOT, InFolder, run
 
 sys.path.insert(0, str(ROOT / "bench"))
 from sections import simulators, storage  # noqa: E402
-from sections.fits import RMS  # noqa: E402
 from sections.section import Program, Results  # noqa: E402
 from sections.text import SPAN, TABLE  # noqa: E402
 
@@ -143,9 +143,9 @@ class Measured(InFolder):
                    "yellow retro-reflective sheeting in plane": "yellow-retro-sheeting", "PTFE 532 nm in plane": "white-ptfe"}
         for fit, material in shipped.items():
             with self.subTest(material):
-                samples, incidences = RMS.search((MATERIALS / f"{material}.toml").read_text()).groups()
-                self.assert_same(float(samples), self.saved["fits"][fit]["rms_of_samples"])
-                self.assert_same(float(incidences), self.saved["fits"][fit]["rms_of_incidences"])
+                record = tomllib.loads((MATERIALS / f"{material}.toml").read_text())["fit"]
+                self.assert_same(record["rms"], self.saved["fits"][fit]["rms_of_samples"])
+                self.assert_same(record["rms_by_incidence"], self.saved["fits"][fit]["rms_of_incidences"])
 
     def test_dhr_of_ptfe(self):
         found = run("integrate", MATERIALS / "white-ptfe.toml", "--theta-i", "0:75:15")
