@@ -218,8 +218,11 @@ class Wrong(Exported):
         file = self.generate("csv", "--theta-i", "0:80:10", "--theta-s", "0:80:10", "--phi-s", "0:180:30", small=False)
         for names in (("theta_i_deg", "theta_s_deg"), ("brdf_s", "brdf_p")):
             text = file.read_text()
-            wrong = text.replace(names[0], "x").replace(names[1], names[0]).replace("x", names[1])
-            file.write_text(wrong)
+            lines = text.split("\n")
+            header = next(k for k, line in enumerate(lines) if not line.startswith("#"))
+            exchanged = {names[0]: names[1], names[1]: names[0]}
+            lines[header] = ",".join(exchanged.get(name, name) for name in lines[header].split(","))
+            file.write_text("\n".join(lines))
             self.assert_wrong(file, "values are off")
             file.write_text(text)
 
