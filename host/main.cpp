@@ -126,8 +126,7 @@ int main(int argc, char** argv) {
     return brdftab::run(argc, argv);
   } catch (const brdftab::Error& error) {
     // What a signal cut short fails in ways of its own.
-    if (brdftab::signalled())
-      return brdftab::fail(ExitStatus::interrupted, "interrupted: nothing was written under the final name");
+    if (brdftab::signalled()) return brdftab::fail(ExitStatus::interrupted, brdftab::stopped_message);
     return brdftab::fail(exit_status(error.fault()), brdftab::spelled(error.what()));
   } catch (const cl::Error& error) {
     return brdftab::fail(ExitStatus::device, brdftab::describe(error));

@@ -18,6 +18,9 @@ struct Progress {
   std::size_t unit_bytes;  // of data that one unit of `done` stands for
 };
 
+/// What is said where the caller has asked for the end.
+inline constexpr const char* stopped_message = "interrupted: nothing was written under the final name";
+
 /// The library prints nothing: what it has to say goes to these functions, where they are set. Only one
 /// thread at a time calls them.
 struct Watch {
@@ -27,8 +30,7 @@ struct Watch {
 
   /// Throws Error (Fault::stopped) where the caller has asked for the end.
   void stop_if_asked() const {
-    if (stop.stop_requested())
-      throw Error(Fault::stopped, "interrupted: nothing was written under the final name");
+    if (stop.stop_requested()) throw Error(Fault::stopped, stopped_message);
   }
 };
 

@@ -30,8 +30,8 @@ Precision working_precision(const std::string& option, const Device& device) {
   return option == "float32" ? Precision::float32 : Precision::float64;
 }
 
-std::string axis_option(const AxisRow& row) {
-  std::string name = fmt::format("--{}", row.name);
+std::string option_name(std::string_view setting) {
+  std::string name = fmt::format("--{}", setting);
   std::replace(name.begin(), name.end(), '_', '-');
   return name;
 }
@@ -40,7 +40,7 @@ Axis parse_axis_option(AxisKind kind, const std::string& text) {
   try {
     return Axis::parse(kind, text);
   } catch (const BadInput& error) {
-    throw BadInput("{} {}: {}", axis_option(axis_row(kind)), excerpt(text), error.what());
+    throw BadInput("{} {}: {}", option_name(axis_row(kind).name), excerpt(text), error.what());
   }
 }
 
@@ -50,9 +50,7 @@ std::string spelled(std::string_view message) {
   auto rest = message.begin();
   for (std::cregex_iterator at(message.begin(), message.end(), setting), end; at != end; ++at) {
     result.append(rest, (*at)[0].first);
-    std::string name = (*at)[1];
-    std::replace(name.begin(), name.end(), '_', '-');
-    result += "--" + name;
+    result += option_name((*at)[1].str());
     rest = (*at)[0].second;
   }
   return result.append(rest, message.end());

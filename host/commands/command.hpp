@@ -47,8 +47,8 @@ void add_engine_options(CLI::App& parser, std::string& engine, std::string& prec
 /// What --precision asks for; without it, the widest that the device has.
 Precision working_precision(const std::string& option, const Device& device);
 
-/// `--theta-i` for theta_i, and the like.
-std::string axis_option(const AxisRow& row);
+/// The option of a setting of the library: `--theta-i` for theta_i.
+std::string option_name(std::string_view setting);
 /// The axis that such an option gives. Throws BadInput that names the option.
 Axis parse_axis_option(AxisKind kind, const std::string& text);
 

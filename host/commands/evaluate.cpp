@@ -32,10 +32,7 @@ std::vector<DirectionPair> read_pairs(const std::string& file, std::string& sour
     return read_directions(std::cin, source);
   }
   source = file;
-  std::error_code error;
-  if (std::filesystem::is_directory(file, error)) throw FileError("{}: is a folder", file);
-  std::ifstream in(file);
-  if (!in) throw FileError("{}: cannot be opened: {}", file, std::generic_category().message(errno));
+  std::ifstream in = open_file(file);
   auto pairs = read_directions(in, source);
   if (in.bad()) throw FileError("{}: cannot be read", file);
   return pairs;

@@ -173,7 +173,7 @@ std::function<ExitStatus()> generate_command(CLI::App& parser, const CommonOptio
                     fmt::format("Format, where the extension does not tell: {}", options->formats.known()));
   parser.option_defaults()->group(axes_group);
   for (const auto& row : axis_table)
-    parser.add_option(axis_option(row), options->axes[static_cast<std::size_t>(row.kind)],
+    parser.add_option(option_name(row.name), options->axes[static_cast<std::size_t>(row.kind)],
                       fmt::format("{}, degrees: start:stop:step, both ends included, or angles separated by "
                                   "commas; default: the material's, or {}",
                                   row.long_name, row.default_text));

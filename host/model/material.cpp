@@ -3,12 +3,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <fstream>
 #include <iostream>
 
 #include "host/base/error.hpp"
 #include "host/base/numbers.hpp"
+#include "host/base/whole_file.hpp"
 #include "host/model/material/material_reader.hpp"
 #include "host/model/material/material_toml.hpp"
 
@@ -51,9 +50,7 @@ Material Material::read(const std::filesystem::path& file) {
     std::error_code error;
     if (std::filesystem::is_directory(file, error))
       throw FileError("{}: is a folder, not a material file", file.string());
-    std::ifstream in(file, std::ios::binary);
-    if (!in)
-      throw FileError("{}: cannot be opened: {}", file.string(), std::generic_category().message(errno));
+    std::ifstream in = open_file(file);
     take(in);
   }
   const std::string source = file == "-" ? "standard input" : file.string();

@@ -58,6 +58,18 @@ drawing::ChartAxis axis_around(const std::vector<drawing::Panel>& panels) {
   return drawing::logarithmic_axis(brdf_axis_label, low, high);
 }
 
+// A chart without panels yet, whose colours stand for angles of incidence.
+drawing::Chart chart_by_incidence(std::string_view title, std::span<const Subject> subjects,
+                                  const PlotOptions& options, Polarization polarization) {
+  return {.title = picture_title(subjects, title),
+          .subtitle = light_text(subjects[0], options, polarization),
+          .legend_title = "incidence θ_i",
+          .notes = {},
+          .colours = drawing::Colours::steps,
+          .columns = 2,
+          .panels = {}};
+}
+
 drawing::Chart in_plane_chart(std::span<const Subject> subjects, const PlotOptions& options,
                               const LazyEngine& engine) {
   const Polarization polarization = drawn_polarization(subjects, options);
@@ -65,13 +77,8 @@ drawing::Chart in_plane_chart(std::span<const Subject> subjects, const PlotOptio
       options.data ? in_plane_scans(options.data->samples, options.data->incidences()) : Scans{};
   if (options.data && measured.empty())
     throw BadInput("{}: no sample lies in the plane of incidence", options.data->source);
-  drawing::Chart chart{.title = picture_title(subjects, "BRDF in the plane of incidence"),
-                       .subtitle = light_text(subjects[0], options, polarization),
-                       .legend_title = "incidence θ_i",
-                       .notes = {},
-                       .colours = drawing::Colours::steps,
-                       .columns = 2,
-                       .panels = {}};
+  drawing::Chart chart =
+      chart_by_incidence("BRDF in the plane of incidence", subjects, options, polarization);
   const auto labels = subject_labels(subjects);
   bool any_table = false;
   std::size_t shown = 0;  // counts the scans that are drawn
@@ -134,13 +141,8 @@ std::string polar_plot(std::span<const Subject> subjects, const PlotOptions& opt
 std::string lobes_plot(std::span<const Subject> subjects, const PlotOptions& options,
                        const LazyEngine& engine) {
   const Polarization polarization = drawn_polarization(subjects, options);
-  drawing::Chart chart{.title = picture_title(subjects, "BRDF in the plane of incidence, by lobe"),
-                       .subtitle = light_text(subjects[0], options, polarization),
-                       .legend_title = "incidence θ_i",
-                       .notes = {},
-                       .colours = drawing::Colours::steps,
-                       .columns = 2,
-                       .panels = {}};
+  drawing::Chart chart =
+      chart_by_incidence("BRDF in the plane of incidence, by lobe", subjects, options, polarization);
   const auto labels = subject_labels(subjects);
   std::vector<drawing::Panel> totals;
   for (std::size_t k = 0; k < subjects.size(); ++k) {

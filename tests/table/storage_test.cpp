@@ -18,18 +18,12 @@
 #include "host/table/generate.hpp"
 #include "host/table/table_reader.hpp"
 #include "host/table/table_writer.hpp"
+#include "tests/table/two_bands.hpp"
 
 namespace brdftab {
 namespace {
 
 namespace fs = std::filesystem;
-
-const char* const two_bands =
-    "name = \"two bands\"\n[parameters]\nn_eff = 1.24\nk_eff = 0.1\nsigma_surface = 1.9\nrho_surface = "
-    "0.45\nsigma_bulk = 0.073\n"
-    "rho_bulk = 0.88\nsigma_retro = 0.061\nrho_retro = 1.9\nw_a = 0.21\nw_b = 0.12\ngamma = 0.9\ndelta = "
-    "0.1\nw = 2.0\nn = 1.5\n"
-    "[[band]]\nwavelength_nm = 450\n[[band]]\nwavelength_nm = 650\nn_eff = 1.5\nsigma_bulk = 0.2\n";
 
 Grid grid_of(const char* theta_i, const char* phi_i, const char* theta_s, const char* phi_s) {
   return {Axis::parse(AxisKind::theta_i, theta_i), Axis::parse(AxisKind::phi_i, phi_i),

@@ -10,6 +10,7 @@
 #include "host/formats/hdf5/hdf5_handle.hpp"
 #include "host/formats/hdf5/hdf5_writer.hpp"
 #include "host/table/generate.hpp"
+#include "tests/table/two_bands.hpp"
 
 namespace brdftab {
 namespace {
@@ -28,13 +29,6 @@ class Table : public testing::Test {
   const Device device_ = select_device(std::nullopt);
   const fs::path folder_ = fs::temp_directory_path() / fmt::format("brdftab-table-test-{}", getpid());
 };
-
-const char* const two_bands =
-    "name = \"two bands\"\n[parameters]\nn_eff = 1.24\nk_eff = 0.1\nsigma_surface = 1.9\nrho_surface = "
-    "0.45\nsigma_bulk = 0.073\n"
-    "rho_bulk = 0.88\nsigma_retro = 0.061\nrho_retro = 1.9\nw_a = 0.21\nw_b = 0.12\ngamma = 0.9\ndelta = "
-    "0.1\nw = 2.0\nn = 1.5\n"
-    "[[band]]\nwavelength_nm = 450\n[[band]]\nwavelength_nm = 650\nn_eff = 1.5\nsigma_bulk = 0.2\n";
 
 Grid small_grid() {
   Grid grid;

@@ -6,6 +6,7 @@
 
 #include "host/base/error.hpp"
 #include "host/base/numbers.hpp"
+#include "host/commands/command.hpp"
 
 namespace brdftab {
 namespace {
@@ -26,12 +27,6 @@ std::string kind_of(const FormatOption& row) {
       row.value);
 }
 
-std::string option_name(const FormatOption& row) {
-  std::string name = "--" + row.name;
-  std::replace(name.begin(), name.end(), '_', '-');
-  return name;
-}
-
 std::string group_of(const Format& format) {
   return fmt::format("--format {}, for {}", format.traits().name, format.traits().consumer);
 }
@@ -43,7 +38,7 @@ bool is_written(const Format& format) { return format.as_dense() || format.as_ex
 CLI::Option* add_format_option(CLI::App& parser, const FormatOption& row) {
   return parser
       .add_option_function<std::string>(
-          option_name(row), [row](const std::string& text) { row.set(text); }, row.help)
+          option_name(row.name), [row](const std::string& text) { row.set(text); }, row.help)
       ->type_name(kind_of(row));
 }
 

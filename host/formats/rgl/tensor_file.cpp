@@ -21,8 +21,8 @@ static_assert(std::endian::native == std::endian::little, "the file is little-en
 enum class TensorType : std::uint8_t { bytes = 1, float32 = 10 };
 
 constexpr std::uint64_t alignment = 8;
-constexpr std::uint64_t most_bytes = std::uint64_t{1}
-                                     << 40;  // of one field, so that products do not overflow
+// One field has at most so many, so that products do not overflow.
+constexpr std::uint64_t most_bytes = std::uint64_t{1} << 40;
 
 std::uint64_t aligned(std::uint64_t offset) { return (offset + alignment - 1) / alignment * alignment; }
 
